@@ -1,0 +1,155 @@
+// The one seam between the host and the game on a device. Host code knows this header and nothing of
+// the kernels behind it; each device namespace makes its own Simulation.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/input/input_record.h"
+#include "game/sim/rules.h"
+#include "render/sprite_vertex.h"
+
+namespace gw {
+
+enum class Mode : uint32_t { arcade, deadline, swarm, practice };
+enum class BroadPhase : uint32_t { ngrid, bruteForce };
+enum class Autopilot : uint32_t { none, novice, expert };
+// The order in which the cpu device visits items and lanes. Results never depend on it: a test's tool.
+enum class VisitOrder : uint32_t { forward, reversed, shuffled };
+
+struct SimulationConfig {
+  Rules rules{};
+  uint64_t seed = 1;
+  Mode mode = Mode::arcade;
+  uint32_t enemies = 8192;  // how many live enemies fit
+  Autopilot autopilot = Autopilot::none;
+
+  // How it is computed. None of this changes a single bit of the game.
+  BroadPhase broadPhase = BroadPhase::ngrid;
+  uint32_t threads = 0;  // cpu device: 0 takes what the machine has
+  VisitOrder order = VisitOrder::forward;
+  bool protectMemory = false;   // cpu device: device memory is unreadable outside launches and copies
+  uint32_t blockSize = 128;     // cuda device
+};
+
+// Sound events of one tick, counted by kind and by side (left, middle, right of the ship).
+enum class SoundEvent : uint32_t { shot, kill, contact, bit, wave, flush, over, count };
+inline constexpr uint32_t kPans = 3;
+
+// What one tick tells the host; everything else stays on the device.
+struct TickReport {
+  uint32_t tick = 0;  // ticks completed, counting from 1
+  uint32_t over = 0;  // 1 from the tick in which the frame time passed the limit
+  uint64_t hash = 0;  // of the whole simulated state after this tick
+  InputRecord input{};  // as used: the autopilot's own when one is on
+  float ship_x = 0, ship_y = 0, shipPrevious_x = 0, shipPrevious_y = 0;
+  float aim_rad = 0;
+  uint64_t score = 0;
+  uint64_t kills = 0;
+  uint32_t multiplierTenths = 10;
+  uint32_t frameTime_us = 0;  // the budget: over at Rules::Budget::limit_us
+  uint32_t bank_us = 0;
+  uint32_t flushes = 0;
+  float flush_x = 0, flush_y = 0, flushRadius_m = 0;  // radius 0: none running
+  uint32_t untouchable_ticks = 0;
+  uint32_t wave = 0;           // waves started
+  uint32_t enemies = 0, shots = 0, bits = 0;  // alive
+  uint32_t enemiesInView = 0;  // within Rules::Idle's half extents of the ship
+  uint32_t peakEnemies = 0;
+  uint32_t refused = 0;        // births that did not fit, over the whole run
+  uint32_t bitsTaken = 0;      // over the whole run
+  uint32_t contacts = 0;       // over the whole run
+  uint32_t contactType = kTypeNone;  // what touched the ship this tick, or kTypeNone
+  uint32_t contactCost_us = 0;
+  uint32_t killsByType[kMaxEnemyTypes] = {};      // over the whole run
+  uint32_t transitions = 0;    // state changes this tick
+  uint16_t sounds[uint32_t(SoundEvent::count)][kPans] = {};
+};
+
+// One live entity, as snapshots hold it: everything that is simulated, by id, nothing of the NGrid's
+// arrangement.
+struct EntityRecord {
+  uint32_t id, type;
+  float x, y, previous_x, previous_y, velocity_x, velocity_y;
+  float force_x, force_y, energy, mass, direction_x, direction_y;
+  float push_x, push_y;
+  uint32_t state, timer, cooldown, flags;
+  uint32_t birthTick, target;
+};
+static_assert(sizeof(EntityRecord) == 88);
+
+// The whole simulated state in canonical form: equal states give equal bytes on every device.
+struct Snapshot {
+  std::vector<uint8_t> master;           // the master thread's globals
+  std::vector<EntityRecord> entities;    // live ones, by ascending id
+};
+
+// Which part of the world the draw list covers.
+struct DrawView {
+  float centre_x, centre_y, halfWidth_m, halfHeight_m;
+};
+
+// Where the draw list goes: addresses that the device can write (a persistent map on cpu, a mapped
+// interop resource on cuda).
+struct DrawTarget {
+  SpriteVertex* vertices = nullptr;
+  uint32_t vertexCapacity = 0;
+  DrawArraysCommand* command = nullptr;
+};
+
+struct StageTime {
+  std::string name;
+  double total_ms = 0;
+  uint64_t calls = 0;
+};
+
+struct CandidateCount {
+  uint64_t tested = 0;    // pair tests, the entity itself not counted
+  uint64_t entities = 0;  // enemies that searched
+};
+
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  // Queues one tick. At most kTicksInFlight may be queued before report() is called for the oldest.
+  virtual void tick(const InputRecord& input) = 0;
+  // The report of the oldest tick not yet read; waits for it. Throws std::logic_error when none is queued.
+  virtual TickReport report() = 0;
+
+  virtual Snapshot snapshot() = 0;
+  // Restores the state; the next tick continues from it. Throws std::invalid_argument on one that does
+  // not fit (an id past the capacity, ids out of order, a master of another size).
+  virtual void restore(const Snapshot& snapshot) = 0;
+
+  // Writes the sprites within the view, the most dangerous last, and the instance count. Not a tick stage.
+  virtual void drawList(const DrawView& view, const DrawTarget& target) = 0;
+
+  // How many pairs the broad phase tests when every live enemy gathers within its vision.
+  virtual CandidateCount countCandidates() = 0;
+
+  virtual void enableStageTimes(bool on) = 0;
+  virtual std::vector<StageTime> stageTimes() const = 0;
+
+  virtual uint32_t capacity() const = 0;  // ids
+  virtual float worldWidth_m() const = 0;
+  virtual float worldHeight_m() const = 0;
+  virtual std::string deviceName() const = 0;
+  // Before GL calls: workers of the cpu device stop spinning, so that the driver's threads get the cores.
+  virtual void park() = 0;
+
+  static constexpr uint32_t kTicksInFlight = 4;
+};
+
+namespace cpu {
+std::unique_ptr<Simulation> makeSimulation(const SimulationConfig& config);
+}
+#ifdef GW_HAVE_CUDA
+namespace cuda {
+std::unique_ptr<Simulation> makeSimulation(const SimulationConfig& config);
+}
+#endif
+
+}  // namespace gw

@@ -1,0 +1,18 @@
+// Function markers and the device namespace.
+//
+// Every kernel file is compiled once per device: as CUDA into gw::cuda, as C++ into gw::cpu (see
+// gw_add_kernels in CMakeLists.txt). Any function with arithmetic in it lives in gw::GW_DEVICE, so
+// that the linker can never merge two compilations of it; namespace gw itself holds plain data only.
+#pragma once
+
+#ifndef GW_DEVICE
+#error "Kernel code needs GW_DEVICE (cpu or cuda): add the file through gw_add_kernels() in CMake."
+#endif
+
+#if defined(__CUDACC__)
+#define GW_ON_CUDA 1
+#define GW_FN __host__ __device__ inline
+#else
+#define GW_ON_CUDA 0
+#define GW_FN inline
+#endif
