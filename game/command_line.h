@@ -1,0 +1,75 @@
+// The whole command line (docs and scripts depend on it), parsed into plain data. Nothing is opened,
+// run or printed here.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/sim/simulation.h"
+
+namespace gw {
+
+enum class ExitCode : int { fine = 0, failedRun = 1, badUsage = 2, badFile = 3, desync = 4 };
+
+enum class Verb : uint32_t { play, replay, verify, devices };
+enum class DeviceOption : uint32_t { automatic, cuda, cpu };
+
+struct Options {
+  Verb verb = Verb::play;
+
+  // The game (play).
+  Mode mode = Mode::arcade;
+  std::optional<uint64_t> seed;  // none: headless runs take 1, windows a new one each time
+  uint32_t enemies = 8192;
+  Autopilot autopilot = Autopilot::none;
+
+  // How it is computed (play, replay, verify). Cannot change the game.
+  DeviceOption device = DeviceOption::automatic;
+  uint32_t threads = 0;  // cpu device: 0 takes what the machine has
+  BroadPhase broadPhase = BroadPhase::ngrid;
+  VisitOrder order = VisitOrder::forward;
+  bool protectMemory = false;
+
+  // The run (play).
+  bool headless = false;
+  uint32_t ticks = 0;                    // 0: until the game is over; never 0 when headless
+  std::filesystem::path recordPath;      // empty: none; so for all paths
+  std::filesystem::path screenshotPath;  // headless: PNG of the last tick
+
+  // The window (play, replay); also the size of a screenshot.
+  uint32_t width_px = 1280, height_px = 720;
+  bool fullscreen = false;
+  bool mute = false;
+
+  // replay
+  double speed = 1;  // times real time
+  uint32_t fromTick = 0;
+
+  // replay (exactly one), verify (one or more)
+  std::vector<std::filesystem::path> files;
+
+  // verify
+  uint32_t jobs = 1;  // replays at the same time
+
+  std::filesystem::path jsonPath;    // verify, devices; "-" is stdout
+  std::filesystem::path hashesPath;  // headless play, verify: one line a tick; "-" is stdout
+  std::filesystem::path assetsDir;   // empty: where the program finds its own
+
+  std::string text;  // the command line as given, for a replay's header
+};
+
+struct ParsedCommandLine {
+  bool run = false;  // false: say the texts below and exit with `code`
+  Options options;
+  ExitCode code = ExitCode::fine;
+  std::string output;  // for stdout: help, version
+  std::string error;   // for stderr: one sentence with a remedy
+};
+
+// `arguments` without the program's name. Never throws on what a user can pass.
+ParsedCommandLine parseCommandLine(const std::vector<std::string>& arguments);
+
+}  // namespace gw

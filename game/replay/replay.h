@@ -1,0 +1,57 @@
+// A replay in memory: all that is needed to play a run again and to check every tick of it.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "game/input/input_record.h"
+#include "game/replay/format.h"
+#include "game/sim/simulation.h"
+#include "game/tables/rule_texts.h"
+
+namespace gw {
+
+// One sentence: the file, what is wrong with it, and what to do about it.
+struct ReplayError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// What is known before the first tick.
+struct ReplayHeader {
+  uint64_t seed = 1;
+  Mode mode = Mode::arcade;
+  uint32_t enemies = 8192;                // capacity, 1 to kMaxEnemies
+  Autopilot autopilot = Autopilot::none;  // who played; the inputs hold what it did
+  uint32_t simulationVersion = kSimulationVersion;
+  std::string options;  // the command line, for people; nothing reads it back
+
+  friend bool operator==(const ReplayHeader&, const ReplayHeader&) = default;
+};
+
+// What the last tick reported.
+struct FinalReport {
+  uint64_t score = 0;
+  uint64_t kills = 0;
+  uint32_t frameTime_us = 0;
+  bool over = false;  // false: the run was left, or ran out of --ticks
+
+  friend bool operator==(const FinalReport&, const FinalReport&) = default;
+};
+
+struct Replay {
+  ReplayHeader header;
+  RuleTexts rules;
+  std::vector<InputRecord> inputs;  // [0] is tick 1's
+  std::vector<uint64_t> hashes;     // [0] is the state's after tick 1; as many as inputs
+  FinalReport result;
+
+  uint32_t ticks() const { return uint32_t(inputs.size()); }
+};
+
+// What makes a simulation play it again: the embedded rules, and no autopilot, since the inputs already
+// hold what it did. Throws TableError when the embedded rules are not this version's.
+SimulationConfig replayConfig(const Replay& replay);
+
+}  // namespace gw
