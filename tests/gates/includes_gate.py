@@ -1,0 +1,80 @@
+"""Includes go one way: gpu <- render <- game <- {tests, bench}; labs stand on gpu and render.
+
+game/sim and game/autopilot run on the device: of render/ they may know only the plain vertex struct.
+"""
+import re
+
+import gate_tools
+
+LAYERS = ("gpu", "render", "game", "labs", "bench", "tests", "tools", "assets")
+MAY_INCLUDE = {
+    "gpu": {"gpu"},
+    "render": {"gpu", "render"},
+    "game": {"gpu", "render", "game"},
+    "labs": {"gpu", "render", "labs"},
+    "bench": {"gpu", "render", "game", "labs", "bench", "tests"},
+    "tests": {"gpu", "render", "game", "labs", "bench", "tests"},
+    "tools": {"tools"},
+    "assets": set(),
+}
+ON_DEVICE = ("game/sim/", "game/autopilot/")
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"\n]+)"|<([^>\n]+)>)', re.MULTILINE)
+
+
+def included_file(source, name, quoted, angled):
+    """The file of ours that an include means, relative to the root, or None for a library's."""
+    if quoted:
+        beside = ((source / name).parent / quoted).resolve()
+        if beside.is_file() and beside.is_relative_to(source):
+            return beside.relative_to(source).as_posix()
+    path = quoted or angled
+    return path if path.split("/")[0] in LAYERS and "/" in path else None
+
+
+def check(source, _build):
+    offences = []
+    names = gate_tools.source_files(source, LAYERS)
+    for name in names:
+        layer = name.split("/")[0]
+        for quoted, angled in INCLUDE.findall((source / name).read_text(errors="replace")):
+            target = included_file(source, name, quoted, angled)
+            if target is None:
+                continue
+            if target.split("/")[0] not in MAY_INCLUDE[layer]:
+                offences.append(f"{name}: {layer}/ must not include {target}")
+            elif name.startswith(ON_DEVICE) and target.startswith("render/") and target != "render/sprite_vertex.h":
+                offences.append(f"{name}: of render/ the simulation may include sprite_vertex.h only, not {target}")
+    print(f"{len(names)} files looked at")
+    if not names:
+        offences.append("no source file was found")
+    return offences
+
+
+def planted(build, folder):
+    files = {
+        "gpu/a.h": '#include "render/b.h"\n',
+        "gpu/c.h": '#include <vector>\n#include "gpu/a.h"\n#include "device_functions.h"\n',
+        "render/b.h": '  #  include "game/sim/state.h"\n',
+        "render/angled.h": "#include <game/sim/state.h>\n",
+        "render/upwards.cpp": '#include "../game/sim/state.h"\n',
+        "render/sprite_vertex.h": "\n",
+        "game/sim/state.h": '#include "render/sprite_vertex.h"\n',
+        "game/sim/draw.cu": '#include "render/b.h"\n',
+        "game/main.cpp": '#include "render/b.h"\n#include "gpu/a.h"\n#include "tests/t.h"\n',
+        "labs/l.cpp": '#include "gpu/a.h"\n#include "game/sim/state.h"\n',
+        "tests/t.h": '#include "game/sim/state.h"\n#include "gpu/a.h"\n',
+    }
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    offences = check(folder, build)
+    expected = ["gpu/a.h", "render/b.h: ", "render/angled.h", "render/upwards.cpp", "game/sim/draw.cu",
+                "game/main.cpp", "labs/l.cpp"]
+    escaped = gate_tools.escaped("planted include", offences, expected)
+    if len(offences) != len(expected):
+        escaped.append(f"{len(expected)} offences were planted, {len(offences)} reported: {offences}")
+    return escaped
+
+
+if __name__ == "__main__":
+    gate_tools.run_gate(check, planted)
