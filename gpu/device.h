@@ -1,8 +1,8 @@
 // Function markers and the device namespace.
 //
 // Every kernel file is compiled once per device: as CUDA into gw::cuda, as C++ into gw::cpu (see
-// gw_add_kernels in CMakeLists.txt). Any function with arithmetic in it lives in gw::GW_DEVICE, so
-// that the linker can never merge two compilations of it; namespace gw itself holds plain data only.
+// cmake/gw_add_kernels.cmake). Any function with arithmetic in it lives in gw::GW_DEVICE, so that the
+// linker can never merge two compilations of it; namespace gw itself holds plain data only.
 #pragma once
 
 #ifndef GW_DEVICE
@@ -11,8 +11,12 @@
 
 #if defined(__CUDACC__)
 #define GW_ON_CUDA 1
-#define GW_FN __host__ __device__ inline
+#define GW_FN __host__ __device__ inline  // arithmetic that host code of the same device may call too
+#define GW_MEMBER __host__ __device__     // the same for members
+#define GW_BODY __device__                // kernel bodies and what only they may call
 #else
 #define GW_ON_CUDA 0
 #define GW_FN inline
+#define GW_MEMBER
+#define GW_BODY
 #endif

@@ -9,6 +9,7 @@
 
 #include "game/input/input_record.h"
 #include "game/sim/rules.h"
+#include "gpu/exec_options.h"
 #include "render/sprite_vertex.h"
 
 namespace gw {
@@ -16,8 +17,8 @@ namespace gw {
 enum class Mode : uint32_t { arcade, deadline, swarm, practice };
 enum class BroadPhase : uint32_t { ngrid, bruteForce };
 enum class Autopilot : uint32_t { none, novice, expert };
-// The order in which the cpu device visits items and lanes. Results never depend on it: a test's tool.
-enum class VisitOrder : uint32_t { forward, reversed, shuffled };
+
+
 
 struct SimulationConfig {
   Rules rules{};

@@ -1,0 +1,40 @@
+// Reading a float's bits and back; and the few float helpers whose bits must be equal everywhere.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "gpu/device.h"
+
+namespace gw::GW_DEVICE {
+
+inline constexpr float kInfinity = __builtin_inff();
+
+GW_FN uint32_t bitsOf(float value) {
+  uint32_t bits;
+  memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+GW_FN float floatOf(uint32_t bits) {
+  float value;
+  memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+// Ternaries, not fminf and fmaxf: those may pick either zero, and drop NaN differently.
+GW_FN float smaller(float a, float b) { return b < a ? b : a; }
+GW_FN float larger(float a, float b) { return a < b ? b : a; }
+GW_FN float clamp(float value, float low, float high) { return value < low ? low : (high < value ? high : value); }
+GW_FN float magnitude(float value) { return value < 0.0f ? -value : value; }
+
+GW_FN uint32_t smaller(uint32_t a, uint32_t b) { return b < a ? b : a; }
+GW_FN uint32_t larger(uint32_t a, uint32_t b) { return a < b ? b : a; }
+
+// Maps a float that is not NaN to an integer with the same order.
+GW_FN uint32_t orderedBits(float value) {
+  const uint32_t bits = bitsOf(value);
+  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+
+}  // namespace gw::GW_DEVICE

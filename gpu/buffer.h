@@ -1,0 +1,61 @@
+// Memory that belongs to a device: owning, move-only, zeroed at birth, never resized.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "gpu/exec.h"
+
+namespace gw::GW_DEVICE {
+
+template <class T>
+class Buffer {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  Buffer() = default;
+  Buffer(Queue& queue, size_t count)
+      : queue_(&queue), data_(static_cast<T*>(allocateBytes(queue, count * sizeof(T)))), count_(count) {}
+  ~Buffer() {
+    if (data_) releaseBytes(*queue_, data_);
+  }
+  Buffer(Buffer&& other) noexcept { swap(other); }
+  Buffer& operator=(Buffer&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+
+  T* data() const { return data_; }  // a device address: only kernels and copies may follow it
+  size_t size() const { return count_; }
+
+  // Copies count elements from the host to offset; the source must stay until the queue has passed.
+  void upload(const T* source, size_t count, size_t offset = 0) {
+    copyBytes(*queue_, data_ + offset, source, count * sizeof(T), Copy::toDevice);
+  }
+  void upload(const std::vector<T>& source) { upload(source.data(), source.size()); }
+
+  // Waits for the queue, then copies.
+  void download(T* destination, size_t count, size_t offset = 0) const {
+    copyBytes(*queue_, destination, data_ + offset, count * sizeof(T), Copy::toHost);
+  }
+  std::vector<T> download() const {
+    std::vector<T> copy(count_);
+    download(copy.data(), count_);
+    return copy;
+  }
+
+ private:
+  void swap(Buffer& other) noexcept {
+    std::swap(queue_, other.queue_);
+    std::swap(data_, other.data_);
+    std::swap(count_, other.count_);
+  }
+
+  Queue* queue_ = nullptr;
+  T* data_ = nullptr;
+  size_t count_ = 0;
+};
+
+}  // namespace gw::GW_DEVICE

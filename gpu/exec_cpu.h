@@ -1,0 +1,129 @@
+// The execution layer on the cpu device. Include gpu/exec.h, not this.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+
+#include "gpu/exec_options.h"
+#include "gpu/guarded_memory.h"
+#include "gpu/worker_pool.h"
+
+namespace gw::GW_DEVICE {
+
+// Launches run at once and in order; what cuda calls a stream is here the calling thread.
+class Queue {
+ public:
+  explicit Queue(const ExecOptions& options)
+      : pool(options.threads), memory(options.protectMemory), order(options.order) {}
+
+  void synchronise() {}
+
+  WorkerPool pool;
+  GuardedMemory memory;
+  VisitOrder order;
+};
+
+// The i-th of n things to visit. Both factors are prime and larger than any n used with them, so the
+// shuffle is a permutation.
+inline uint32_t visit(VisitOrder order, uint32_t i, uint32_t n) {
+  switch (order) {
+    case VisitOrder::reversed: return n - 1 - i;
+    case VisitOrder::shuffled: return uint32_t((uint64_t(i) * 4294967291u + 2654435761u) % n);
+    default: return i;
+  }
+}
+
+inline uint32_t liveCount(const Count& count) {
+  return count.d_live ? std::min(*count.d_live, count.capacity) : count.capacity;
+}
+
+// Items that a worker claims at a time. Enough to hide the claim; small enough to balance two workers.
+inline constexpr uint32_t kChunk = 256;
+
+template <class Kernel>
+void forEach(Queue& queue, Count count, const Kernel& kernel) {
+  GuardedMemory::Access access(queue.memory);
+  struct Job {
+    const Kernel& kernel;
+    uint32_t n, chunks;
+    VisitOrder order;
+  } job{kernel, liveCount(count), 0, queue.order};
+  job.chunks = (job.n + kChunk - 1) / kChunk;
+  queue.pool.run(
+      job.chunks,
+      [](const void* context, uint32_t c) {
+        const Job& job = *static_cast<const Job*>(context);
+        const uint32_t begin = visit(job.order, c, job.chunks) * kChunk, size = std::min(kChunk, job.n - begin);
+        const Kernel kernel = job.kernel;  // a copy on this stack: the compiler can keep its fields in registers
+        if (job.order == VisitOrder::forward) {
+          for (uint32_t i = begin; i < begin + size; ++i) kernel(i);
+        } else {
+          for (uint32_t i = 0; i < size; ++i) kernel(begin + visit(job.order, i, size));
+        }
+      },
+      &job);
+}
+
+template <uint32_t kLanes>
+struct Team {
+  uint32_t index;
+  VisitOrder order;
+
+  template <class Body>
+  void phase(const Body& body) const {
+    if (order == VisitOrder::forward) {
+      for (uint32_t lane = 0; lane < kLanes; ++lane) body(lane);
+    } else {
+      for (uint32_t i = 0; i < kLanes; ++i) body(visit(order, i, kLanes));
+    }
+  }
+};
+
+template <class Kernel>
+void forEachTeam(Queue& queue, uint32_t teams, const Kernel& kernel) {
+  GuardedMemory::Access access(queue.memory);
+  struct Job {
+    const Kernel& kernel;
+    uint32_t teams;
+    VisitOrder order;
+  } job{kernel, teams, queue.order};
+  queue.pool.run(
+      teams,
+      [](const void* context, uint32_t t) {
+        const Job& job = *static_cast<const Job*>(context);
+        const Kernel kernel = job.kernel;
+        typename Kernel::Shared shared;
+        kernel(Team<Kernel::kLanes>{visit(job.order, t, job.teams), job.order}, shared);
+      },
+      &job);
+}
+
+enum class Copy { toDevice, toHost, onDevice };
+
+// The one way in which bytes cross between host and device.
+inline void copyBytes(Queue& queue, void* destination, const void* source, size_t bytes, Copy) {
+  GuardedMemory::Access access(queue.memory);
+  if (bytes) std::memcpy(destination, source, bytes);
+}
+
+inline void* allocateBytes(Queue& queue, size_t bytes) { return queue.memory.allocate(bytes); }
+inline void releaseBytes(Queue& queue, void* pointer) { queue.memory.release(pointer); }
+
+// Order-safe: integers only. They return nothing, so that no result can depend on who came first.
+inline void atomicAddTo(uint32_t& word, uint32_t amount) {
+  std::atomic_ref<uint32_t>(word).fetch_add(amount, std::memory_order_relaxed);
+}
+
+inline void atomicRaiseTo(uint64_t& word, uint64_t value) {
+  std::atomic_ref<uint64_t> shared(word);
+  uint64_t seen = shared.load(std::memory_order_relaxed);
+  while (seen < value && !shared.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+  }
+}
+
+inline void atomicAddTo64(uint64_t& word, uint64_t amount) {
+  std::atomic_ref<uint64_t>(word).fetch_add(amount, std::memory_order_relaxed);
+}
+
+}  // namespace gw::GW_DEVICE

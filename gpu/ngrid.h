@@ -1,0 +1,77 @@
+// NGrid, 2D: the neighbourhood structure of Joselli's thesis (2013). n entities stand in n cells, and the
+// array of their positions *is* the grid.
+//
+//      column 0   1   2   3          Every row is in ascending x, and every column nearly in ascending y:
+//   row 2   [.4] [.5] [.6] [.7]      an entity's neighbours in the world stand near it in the grid.
+//   row 1   [.2] [.1] [.3] [.9]      Dead cells sit at +infinity, so sorting groups them at the end of
+//   row 0   [.0] [.8] [.a] [.b]      the rows and in the last rows.
+//
+// Properties (thesis, chapter 4):
+//   1 as many cells as entities               2 one entity per cell
+//   3 a cell takes its entity's size          4 and its place
+//   5 the N-dimensions multiply to n          6 each line is ordered along its axis
+//   7 one N-radius per axis                   8 the N-radius is fixed or adaptive
+// 6 holds for rows after every maintain(); columns are misaligned by what the row pass moved. 7 and 8
+// speak of windowed gathering; the exact gather of row_gather.h needs no N-radius.
+//
+// Ties are broken by the other axis, then by id, so the order of a line is unique on every device.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/sort_keys.h"
+
+namespace gw::GW_DEVICE {
+
+// The longest row or column: a line is sorted in a block's shared memory (32 KiB of cells).
+inline constexpr uint32_t kLongestLine = 2048;
+
+struct NDimensions {
+  uint32_t columns = 0, rows = 0;
+  uint32_t cells() const { return columns * rows; }
+};
+
+// Dimensions for at least n cells in whole rows, the row about 5 times as long as the column: with fewer,
+// longer rows a gather pays less often for the two ends of a span (bench/neighbours). Throws
+// std::invalid_argument when n does not fit kLongestLine squared.
+NDimensions chooseDimensions(uint32_t n);
+
+// What kernels see. Copy it into a kernel by value.
+struct NGridView {
+  const Cell* cells;  // [rows * columns], row by row
+  uint32_t columns, rows;
+  // Per row, of its living entities: the interval of y (+infinity, -infinity when none) and their number.
+  const float *low, *high;
+  const uint32_t* living;
+  // The highest `high` of this and earlier rows, the lowest `low` of this and later rows: both ascend, so
+  // the rows that can meet an interval are found by bisection.
+  const float *reachHigh, *reachLow;
+};
+
+class NGrid {
+ public:
+  NGrid() = default;
+  NGrid(Queue& queue, NDimensions dimensions);
+
+  NDimensions dimensions() const { return dimensions_; }
+  NGridView view(const Cell* d_cells) const;
+
+  // Upkeep after motion: sorts each column by y, then each row by x, and refreshes the rows' intervals.
+  // d_cellOf[id] becomes the cell of that id (ids are 0 .. cells - 1, each in exactly one cell). One pass
+  // per axis: O(n log^2 n) bitonic on cuda; on cpu insertion, O(n) for the small motion of one tick.
+  void maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+
+  // The full sort: all cells by y, cut into rows, each row by x (the packing of sort-tile-recursive
+  // R-trees). For a start from an arbitrary arrangement; O(n log n).
+  void rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+
+ private:
+  void sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+
+  NDimensions dimensions_;
+  Buffer<float> low_, high_, reachHigh_, reachLow_;
+  Buffer<uint32_t> living_;
+  SortKeys byY_;
+  Buffer<Cell> scratch_;
+};
+
+}  // namespace gw::GW_DEVICE

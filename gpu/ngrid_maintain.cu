@@ -1,0 +1,206 @@
+#include <stdexcept>
+#include <string>
+
+#include "gpu/line_sort.h"
+#include "gpu/neighbour.h"
+#include "gpu/ngrid.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+constexpr uint32_t kLineLanes = 256;
+
+// One team: a tile of neighbouring columns, each sorted by y. On cpu a tile is one cache line wide.
+struct SortColumns {
+  static constexpr uint32_t kLanes = kLineLanes;
+  static constexpr uint32_t kTile = GW_ON_CUDA ? 1 : 4;
+  struct Shared {
+    Cell line[kTile][kLongestLine];
+  };
+  Cell* cells;
+  NDimensions dimensions;
+
+  template <class Team>
+  GW_BODY void operator()(const Team& team, Shared& s) const {
+    const uint32_t first = team.index * kTile, columns = dimensions.columns, rows = dimensions.rows;
+    const uint32_t tile = columns - first < kTile ? columns - first : kTile;
+    team.phase([&](uint32_t lane) {
+      for (uint32_t row = lane; row < rows; row += kLanes) {
+        for (uint32_t t = 0; t < tile; ++t) s.line[t][row] = cells[row * columns + first + t];
+      }
+    });
+    for (uint32_t t = 0; t < tile; ++t) sortLine<kLanes>(team, s.line[t], rows, ByY{});
+    team.phase([&](uint32_t lane) {
+      for (uint32_t row = lane; row < rows; row += kLanes) {
+        for (uint32_t t = 0; t < tile; ++t) cells[row * columns + first + t] = s.line[t][row];
+      }
+    });
+  }
+};
+
+// One team: one row, sorted by x; then its interval of y, its living, and where each id now stands.
+struct SortRows {
+  static constexpr uint32_t kLanes = kLineLanes;
+  struct Shared {
+    Cell line[kLongestLine];
+    float low[kLanes], high[kLanes];
+    uint32_t living[kLanes];
+  };
+  Cell* cells;
+  uint32_t* cellOf;
+  float *low, *high;
+  uint32_t* living;
+  uint32_t columns;
+
+  template <class Team>
+  GW_BODY void operator()(const Team& team, Shared& s) const {
+    const uint32_t begin = team.index * columns;
+    team.phase([&](uint32_t lane) {
+      for (uint32_t c = lane; c < columns; c += kLanes) s.line[c] = cells[begin + c];
+    });
+    sortLine<kLanes>(team, s.line, columns, ByX{});
+    team.phase([&](uint32_t lane) {
+      float least = kInfinity, most = -kInfinity;
+      uint32_t count = 0;
+      for (uint32_t c = lane; c < columns; c += kLanes) {
+        const Cell cell = s.line[c];
+        cells[begin + c] = cell;
+        cellOf[cell.id] = begin + c;
+        if (isLiving(cell.x)) {
+          least = smaller(least, cell.y);
+          most = larger(most, cell.y);
+          ++count;
+        }
+      }
+      s.low[lane] = least;
+      s.high[lane] = most;
+      s.living[lane] = count;
+    });
+    for (uint32_t half = kLanes / 2; half > 0; half /= 2) {
+      team.phase([&](uint32_t lane) {
+        if (lane >= half) return;
+        s.low[lane] = smaller(s.low[lane], s.low[lane + half]);
+        s.high[lane] = larger(s.high[lane], s.high[lane + half]);
+        s.living[lane] += s.living[lane + half];
+      });
+    }
+    team.phase([&](uint32_t lane) {
+      if (lane != 0) return;
+      low[team.index] = s.low[0];
+      high[team.index] = s.high[0];
+      living[team.index] = s.living[0];
+    });
+  }
+};
+
+// One team in all: the running maximum of `high` and the running minimum, from behind, of `low`.
+struct FindReach {
+  static constexpr uint32_t kLanes = 64;
+  struct Shared {
+    float high[kLanes], low[kLanes];
+  };
+  float *reachHigh, *reachLow;
+  const float *high, *low;
+  uint32_t rows;
+
+  template <class Team>
+  GW_BODY void operator()(const Team& team, Shared& s) const {
+    const uint32_t each = (rows + kLanes - 1) / kLanes;
+    team.phase([&](uint32_t lane) {
+      float most = -kInfinity, least = kInfinity;
+      for (uint32_t row = lane * each; row < (lane + 1) * each && row < rows; ++row) {
+        most = larger(most, high[row]);
+        least = smaller(least, low[row]);
+      }
+      s.high[lane] = most;
+      s.low[lane] = least;
+    });
+    team.phase([&](uint32_t lane) {
+      float most = -kInfinity, least = kInfinity;
+      for (uint32_t l = 0; l < lane; ++l) most = larger(most, s.high[l]);
+      for (uint32_t l = lane + 1; l < kLanes; ++l) least = smaller(least, s.low[l]);
+      const uint32_t begin = lane * each, end = smaller((lane + 1) * each, rows);
+      for (uint32_t row = begin; row < end; ++row) reachHigh[row] = most = larger(most, high[row]);
+      for (uint32_t row = end; row > begin; --row) reachLow[row - 1] = least = smaller(least, low[row - 1]);
+    });
+  }
+};
+
+// One item: one cell's key for the full sort. Equal y are told apart by the place the cell has now, which
+// is by id only if the arrangement is: rebuild() callers hand in cells in the order of their ids.
+struct MakeKeys {
+  uint64_t* keys;
+  const Cell* cells;
+  GW_BODY void operator()(uint32_t i) const { keys[i] = uint64_t(orderedBits(cells[i].y)) << 32 | i; }
+};
+
+struct CopyCells {
+  Cell* out;
+  const Cell* in;
+  GW_BODY void operator()(uint32_t i) const { out[i] = in[i]; }
+};
+
+struct TakeByKeys {
+  Cell* out;
+  const Cell* in;
+  const uint64_t* keys;
+  GW_BODY void operator()(uint32_t i) const { out[i] = in[uint32_t(keys[i])]; }
+};
+
+}  // namespace
+
+NDimensions chooseDimensions(uint32_t n) {
+  // Odd multiples of 16 cells: a stride that is a power of two would put a whole column into one cache set.
+  uint32_t columns = 16;
+  while (uint64_t(columns) * columns < 5ull * n && columns + 32 <= kLongestLine) columns += 32;
+  NDimensions found{columns, (n + columns - 1) / columns};
+  if (found.rows == 0) found.rows = 1;
+  if (found.rows > kLongestLine) {
+    throw std::invalid_argument("An NGrid of " + std::to_string(n) + " cells is too large: at most " +
+                                std::to_string(columns * kLongestLine) + " fit; use fewer entities.");
+  }
+  return found;
+}
+
+NGrid::NGrid(Queue& queue, NDimensions dimensions)
+    : dimensions_(dimensions),
+      low_(queue, dimensions.rows),
+      high_(queue, dimensions.rows),
+      reachHigh_(queue, dimensions.rows),
+      reachLow_(queue, dimensions.rows),
+      living_(queue, dimensions.rows),
+      byY_(queue, dimensions.cells()),
+      scratch_(queue, dimensions.cells()) {
+  if (dimensions.columns == 0 || dimensions.columns > kLongestLine || dimensions.rows == 0 ||
+      dimensions.rows > kLongestLine) {
+    throw std::invalid_argument("An NGrid has 1 to " + std::to_string(kLongestLine) + " rows and columns.");
+  }
+}
+
+NGridView NGrid::view(const Cell* d_cells) const {
+  return {d_cells,       dimensions_.columns, dimensions_.rows,  low_.data(),
+          high_.data(), living_.data(),      reachHigh_.data(), reachLow_.data()};
+}
+
+void NGrid::maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
+  constexpr uint32_t kTile = SortColumns::kTile;
+  forEachTeam(queue, (dimensions_.columns + kTile - 1) / kTile, SortColumns{d_cells, dimensions_});
+  sortRows(queue, d_cells, d_cellOf);
+}
+
+void NGrid::rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
+  const Count all{dimensions_.cells()};
+  forEach(queue, all, MakeKeys{byY_.keys(), d_cells});
+  byY_.run(queue);
+  forEach(queue, all, CopyCells{scratch_.data(), d_cells});
+  forEach(queue, all, TakeByKeys{d_cells, scratch_.data(), byY_.keys()});
+  sortRows(queue, d_cells, d_cellOf);
+}
+
+void NGrid::sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
+  forEachTeam(queue, dimensions_.rows,
+              SortRows{d_cells, d_cellOf, low_.data(), high_.data(), living_.data(), dimensions_.columns});
+  forEachTeam(queue, 1, FindReach{reachHigh_.data(), reachLow_.data(), high_.data(), low_.data(), dimensions_.rows});
+}
+
+}  // namespace gw::GW_DEVICE

@@ -1,0 +1,86 @@
+// Exact gathering in an NGrid: precisely the neighbours that brute force finds, however misaligned the
+// columns are. Needs only what maintain() guarantees: rows in ascending x, and each row's interval of y.
+//
+//        high[row] ┌───────────────┐        visit the rows whose interval meets [y - r, y + r],
+//   y + r ─ ─ ─ ─ ─│─ ─┌───┐─ ─ ─ ─│        and in such a row the one span of columns whose x
+//                  │   │ ■ │       │        lies in [x - r, x + r], found by bisection
+//   y - r ─ ─ ─ ─ ─│─ ─└───┘─ ─ ─ ─│
+//         low[row] └───────────────┘
+//
+// All pruning uses the rounded differences of the neighbour test itself: rounding is monotonic, so what is
+// pruned would have failed the test. Cost per query: O(log rows) + per row met O(log columns) + the span.
+#pragma once
+
+#include "gpu/neighbour.h"
+#include "gpu/ngrid.h"
+
+namespace gw::GW_DEVICE {
+
+struct RowGather {
+  NGridView grid;
+
+  // Calls visit(cell, index, dx, dy) for each living neighbour of (x, y) within radius, dx = cell.x - x;
+  // the entity at (x, y) itself is among them. Returns how many pair tests that took. The order of visits
+  // is that of the cells and must not matter. radius in (0, infinity), x and y finite.
+  template <class Visitor>
+  GW_MEMBER uint32_t operator()(float x, float y, float radius, Visitor&& visit) const {
+    uint32_t tested = 0;
+    const uint32_t begin = firstRow(y, radius), end = endRow(y, radius);
+    for (uint32_t row = begin; row < end; ++row) {
+      if (grid.low[row] - y > radius || y - grid.high[row] > radius) continue;
+      const Cell* line = grid.cells + row * grid.columns;
+      const uint32_t living = grid.living[row];
+      for (uint32_t c = firstColumn(line, living, x, radius); c < living; ++c) {
+        const float dx = line[c].x - x;
+        if (dx > radius) break;
+        const float dy = line[c].y - y;
+        ++tested;
+        if (isNeighbour(dx, dy, radius)) visit(line[c], row * grid.columns + c, dx, dy);
+      }
+    }
+    return tested;
+  }
+
+ private:
+  GW_MEMBER uint32_t firstRow(float y, float radius) const {
+    uint32_t begin = 0, count = grid.rows;
+    while (count > 0) {
+      const uint32_t half = count / 2;
+      if (y - grid.reachHigh[begin + half] > radius) {
+        begin += half + 1;
+        count -= half + 1;
+      } else {
+        count = half;
+      }
+    }
+    return begin;
+  }
+
+  GW_MEMBER uint32_t endRow(float y, float radius) const {
+    uint32_t begin = 0, count = grid.rows;
+    while (count > 0) {
+      const uint32_t half = count / 2;
+      if (grid.reachLow[begin + half] - y > radius) {
+        count = half;
+      } else {
+        begin += half + 1;
+        count -= half + 1;
+      }
+    }
+    return begin;
+  }
+
+  // Without branches: the two outcomes of a step are equally likely, so a branch would be mispredicted.
+  GW_MEMBER static uint32_t firstColumn(const Cell* line, uint32_t living, float x, float radius) {
+    if (living == 0) return 0;
+    uint32_t begin = 0, count = living;
+    while (count > 1) {
+      const uint32_t half = count / 2;
+      begin += line[begin + half - 1].x - x < -radius ? half : 0;
+      count -= half;
+    }
+    return begin + (line[begin].x - x < -radius ? 1 : 0);
+  }
+};
+
+}  // namespace gw::GW_DEVICE

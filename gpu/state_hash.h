@@ -1,0 +1,23 @@
+// Words of state to a 64-bit hash that does not depend on the order of visits: each word is mixed with the
+// key of its place (who, which field) and the results are added.
+#pragma once
+
+#include "gpu/device.h"
+#include "gpu/plain_types.h"
+
+namespace gw::GW_DEVICE {
+
+// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every input bit reaches every output bit.
+GW_FN uint64_t mixed(uint64_t word) {
+  word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9ull;
+  word = (word ^ (word >> 27)) * 0x94D049BB133111EBull;
+  return word ^ (word >> 31);
+}
+
+// The hash of one 64-bit word that stands at (owner, field). Owners and fields up to 2^32 - 1.
+GW_FN uint64_t hashWord(uint32_t owner, uint32_t field, uint64_t word) {
+  const uint64_t place = (uint64_t(owner) << 32 | field) * 0x9E3779B97F4A7C15ull + 0xD1B54A32D192ED03ull;
+  return mixed((word + place) ^ (place >> 29));
+}
+
+}  // namespace gw::GW_DEVICE
