@@ -1,0 +1,72 @@
+#include "game/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gw {
+namespace {
+
+constexpr float kWide = 16.0f / 9.0f;
+
+FollowCamera settled(const FollowCamera::Target& target, float dt = 1.0f / 60) {
+  FollowCamera camera(192, 108);
+  camera.snap({0, 0, 0, 0}, kWide);
+  for (float t = 0; t < 20; t += dt) camera.follow(target, kWide, dt);
+  return camera;
+}
+
+TEST(CameraTest, ShowsFortyMetresAndLooksAheadAlongTheAim) {
+  const FollowCamera camera = settled({10, 5, float(std::numbers::pi / 2), 0});
+  EXPECT_NEAR(camera.x(), 10, 1e-3);
+  EXPECT_NEAR(camera.y(), 9, 1e-3);
+  EXPECT_NEAR(camera.halfHeight_m(), 20, 1e-3);
+  EXPECT_NEAR(camera.halfWidth_m(), 20 * kWide, 1e-3);
+}
+
+TEST(CameraTest, FollowsAlikeAtEveryFrameRate) {
+  FollowCamera slow(192, 108), fast(192, 108);
+  const FollowCamera::Target target{20, -10, 0, 0};
+  for (int i = 0; i < 15; ++i) slow.follow(target, kWide, 1.0f / 30);
+  for (int i = 0; i < 120; ++i) fast.follow(target, kWide, 1.0f / 240);
+  EXPECT_NEAR(slow.x(), fast.x(), 1e-3);
+  // Spring 8/s: after half a second exp(-4) of the gap is left.
+  EXPECT_NEAR(slow.x(), 24 * (1 - std::exp(-4.0f)), 1e-3);
+}
+
+TEST(CameraTest, ShowsAtMostFourMetresPastEveryWall) {
+  const FollowCamera topRight = settled({96, 54, 0.8f, 0}), bottomLeft = settled({-96, -54, 4.0f, 0});
+  EXPECT_NEAR(topRight.x() + topRight.halfWidth_m(), 96 + 4, 1e-3);
+  EXPECT_NEAR(topRight.y() + topRight.halfHeight_m(), 54 + 4, 1e-3);
+  EXPECT_NEAR(bottomLeft.x() - bottomLeft.halfWidth_m(), -96 - 4, 1e-3);
+  EXPECT_NEAR(bottomLeft.y() - bottomLeft.halfHeight_m(), -54 - 4, 1e-3);
+}
+
+TEST(CameraTest, CentresAWorldThatFitsTheView) {
+  FollowCamera camera(40, 20);
+  camera.snap({15, 8, 0, 0}, kWide);
+  EXPECT_EQ(camera.x(), 0);
+  EXPECT_EQ(camera.y(), 0);
+}
+
+TEST(CameraTest, WidensWithTheCrowd) {
+  EXPECT_NEAR(settled({0, 0, 0, 600}).halfHeight_m(), 20, 1e-3);
+  EXPECT_NEAR(settled({0, 0, 0, 1300}).halfHeight_m(), 23, 1e-3);
+  EXPECT_NEAR(settled({0, 0, 0, 2000}).halfHeight_m(), 26, 1e-3);
+  EXPECT_NEAR(settled({0, 0, 0, 100000}).halfHeight_m(), 26, 1e-3);
+}
+
+TEST(CameraTest, PixelsAndMetresAreInverse) {
+  const FollowCamera camera = settled({30, 20, 1, 900});
+  float x, y, px, py;
+  camera.toWorld(200, 600, 1280, 720, x, y);
+  camera.toPixels(x, y, 1280, 720, px, py);
+  EXPECT_NEAR(px, 200, 1e-2);
+  EXPECT_NEAR(py, 600, 1e-2);
+  camera.toWorld(640, 0, 1280, 720, x, y);
+  EXPECT_NEAR(y, camera.y() + camera.halfHeight_m(), 1e-3) << "the top of the window is up";
+}
+
+}  // namespace
+}  // namespace gw
