@@ -1,0 +1,132 @@
+#include "game/ui/hud.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/ui/format.h"
+#include "game/ui/theme.h"
+
+namespace gw {
+
+namespace {
+
+using namespace theme;
+
+constexpr float kMeterWidth = 440, kMeterHeight = 12, kMeterTop = 34;
+
+Rgba budgetColour(float left) {
+  return left > 0.5f ? mixed(kGold, kAccent, (left - 0.5f) * 2.5f) : mixed(kDanger, kGold, (left - 0.12f) * 3);
+}
+
+void drawMeter(Canvas& canvas, const RunMonitor& run, const Rules& rules, double realFps) {
+  const TickReport& report = run.last();
+  const float left = (canvas.width() - kMeterWidth) / 2, right = left + kMeterWidth;
+  const float share = budgetLeft(report.frameTime_us, rules.budget);
+  const float trail = budgetLeft(uint32_t(run.trailingFrameTime_us()), rules.budget);
+  const Rgba colour = budgetColour(share);
+  // Under a quarter the meter breathes: time is life, and it is nearly gone.
+  const float pulse = share < 0.25f ? 0.7f + 0.3f * std::sin(float(report.tick) * 0.2f) : 1.0f;
+
+  canvas.rectangle(left, kMeterTop, kMeterWidth, kMeterHeight, faded(kShade, 0.75f));
+  if (trail > share) {
+    canvas.rectangle(left + kMeterWidth * share, kMeterTop, kMeterWidth * (trail - share), kMeterHeight,
+                     faded(kDanger, 0.9f));
+  }
+  canvas.gradient(left, kMeterTop, kMeterWidth * share, kMeterHeight, faded(colour, 0.45f * pulse),
+                  faded(colour, pulse));
+  // Quarters of the frame time are 30, 20 and 15 FPS.
+  for (const int quarter : {1, 2, 3}) {
+    canvas.rectangle(left + kMeterWidth * float(quarter) / 4 - 0.5f, kMeterTop + 3, 1, kMeterHeight - 6,
+                     faded(kText, 0.35f));
+  }
+  canvas.outline(left - 3, kMeterTop - 3, kMeterWidth + 6, kMeterHeight + 6, 1, faded(colour, 0.6f));
+  // What bits may still give back.
+  const float bank = rules.budget.bankMax_us > 0 ? float(report.bank_us) / float(rules.budget.bankMax_us) : 0;
+  canvas.rectangle(left, kMeterTop + kMeterHeight + 5, kMeterWidth * std::min(bank, 1.0f), 2, faded(kGood, 0.45f));
+
+  canvas.text("BUDGET", left - 16, kMeterTop + 11, style(11, kQuiet, TextAlign::right, 0.2f));
+  canvas.text(oneDecimal(framesPerSecond(report.frameTime_us)) + " FPS", right + 16, kMeterTop + 12,
+              style(14, colour, TextAlign::left, 0.5f));
+  canvas.text("real " + std::to_string(int(std::lround(realFps))), right + 110, kMeterTop + 12,
+              style(9, kQuiet, TextAlign::left, 0));
+}
+
+void drawContact(Canvas& canvas, const RunMonitor& run, const Rules& rules) {
+  const float fresh = run.contactFreshness();
+  if (fresh <= 0) return;
+  const RunMonitor::Contact& contact = run.lastContact();
+  const float shown = std::min(1.0f, fresh * 3);
+  const std::string name = contact.type < rules.enemyTypeCount ? upperCase(rules.enemies[contact.type].name) : "CONTACT";
+  canvas.text(name + "  +" + oneDecimal(contact.cost_us / 1000.0) + " ms", canvas.width() / 2, 88,
+              style(19, faded(kDanger, shown), TextAlign::centre, 0.7f));
+  canvas.text(oneDecimal(framesPerSecond(contact.before_us)) + " > " +
+                  oneDecimal(framesPerSecond(contact.after_us)) + " FPS",
+              canvas.width() / 2, 112, style(11, faded(kText, shown * 0.9f), TextAlign::centre, 0.2f));
+}
+
+void drawScore(Canvas& canvas, const TickReport& report, uint64_t best) {
+  canvas.text(withCommas(report.score), kMargin, 52, style(26, kText, TextAlign::left, 0.45f));
+  canvas.text(multiplierText(report.multiplierTenths), kMargin, 82, style(16, kGold, TextAlign::left, 0.4f));
+  if (best > 0) {
+    canvas.text("best " + withCommas(std::max(best, report.score)), kMargin, 104,
+                style(9, kQuiet, TextAlign::left, 0));
+  }
+}
+
+void drawCounts(Canvas& canvas, const RunMonitor& run) {
+  const TickReport& report = run.last();
+  const float right = canvas.width() - kMargin;
+  const auto row = [&](float baseline, const std::string& value, const char* label, float size, Rgba colour) {
+    canvas.text(value, right, baseline, style(size, colour, TextAlign::right, 0.35f));
+    canvas.text(label, right - canvas.textWidth(value, size) - 12, baseline, style(9, kQuiet, TextAlign::right, 0));
+  };
+  row(46, minutesSeconds(report.tick), "TIME", 16, kText);
+  row(70, std::to_string(report.wave), "WAVE", 12, kText);
+  row(92, withCommas(report.enemies), "ENEMIES", 12, kText);
+  row(114, withCommas(run.dataPerSecond()) + "/s", "DATA", 12, kGood);
+}
+
+void drawFlushes(Canvas& canvas, const TickReport& report, const Rules& rules) {
+  const float base = Canvas::kHeight - kMargin;
+  canvas.text("FLUSH", kMargin, base - 1, style(11, kQuiet, TextAlign::left, 0.2f));
+  float x = kMargin + canvas.textWidth("FLUSH", 11) + 22;
+  for (uint32_t i = 0; i < std::max(rules.flush.most, report.flushes); ++i, x += 22) {
+    const float y = base - 6.5f, half = 7.5f;
+    const bool filled = i < report.flushes;
+    const Rgba colour = filled ? kAccent : faded(kQuiet, 0.35f);
+    if (filled) {
+      canvas.triangle(x - half + 3, y, x, y - half + 3, x + half - 3, y, colour);
+      canvas.triangle(x - half + 3, y, x, y + half - 3, x + half - 3, y, colour);
+    }
+    const float corner[5][2] = {{x - half, y}, {x, y - half}, {x + half, y}, {x, y + half}, {x - half, y}};
+    for (int side = 0; side < 4; ++side) {
+      canvas.line(corner[side][0], corner[side][1], corner[side + 1][0], corner[side + 1][1], 1.3f, colour);
+    }
+  }
+}
+
+}  // namespace
+
+float budgetLeft(uint32_t frameTime_us, const Rules::Budget& budget) {
+  const float span = float(budget.limit_us) - float(budget.start_us);
+  if (span <= 0) return 0;
+  return std::clamp((float(budget.limit_us) - float(frameTime_us)) / span, 0.0f, 1.0f);
+}
+
+void drawHud(Canvas& canvas, const RunMonitor& run, const Rules& rules, const HudFrame& frame) {
+  drawScore(canvas, run.last(), frame.best);
+  drawMeter(canvas, run, rules, frame.realFps);
+  drawContact(canvas, run, rules);
+  drawCounts(canvas, run);
+  drawFlushes(canvas, run.last(), rules);
+  const float bottom = Canvas::kHeight - kMargin;
+  if (!frame.banner.empty()) {
+    canvas.text(frame.banner, canvas.width() / 2, bottom, style(13, kGold, TextAlign::centre, 0.4f));
+  }
+  if (frame.droppedTicks > 0) {
+    canvas.text("slow machine: " + minutesSeconds(uint32_t(frame.droppedTicks)) + " of time dropped",
+                canvas.width() - kMargin, bottom, style(9, kQuiet, TextAlign::right, 0));
+  }
+}
+
+}  // namespace gw

@@ -1,0 +1,24 @@
+// What is shown while playing: the BUDGET meter with the real frame rate beside it, score, multiplier,
+// data per second, flushes, wave, enemies, and what hit the ship.
+#pragma once
+
+#include <string>
+
+#include "game/ui/canvas.h"
+#include "game/ui/run_monitor.h"
+
+namespace gw {
+
+struct HudFrame {
+  double realFps = 0;
+  uint64_t droppedTicks = 0;  // time lost because ticks took too long
+  std::string banner;         // e.g. "REPLAY x2"; empty: none
+  uint64_t best = 0;          // of earlier runs; 0: none
+};
+
+// The share of the meter that is left: 1 at 60 FPS, 0 at 12, linear in frame time.
+float budgetLeft(uint32_t frameTime_us, const Rules::Budget& budget);
+
+void drawHud(Canvas& canvas, const RunMonitor& run, const Rules& rules, const HudFrame& frame);
+
+}  // namespace gw

@@ -1,0 +1,15 @@
+// Pause: what the keys do from here, and what there is to fear.
+#pragma once
+
+#include "game/sim/rules.h"
+#include "game/ui/canvas.h"
+
+namespace gw {
+
+struct PauseFrame {
+  bool replay = false;  // pausing somebody else's run: no retry
+};
+
+void drawPause(Canvas& canvas, const Rules& rules, const PauseFrame& frame);
+
+}  // namespace gw

@@ -1,0 +1,70 @@
+#include "game/ui/title.h"
+
+#include <cmath>
+
+#include "game/ui/format.h"
+#include "game/ui/theme.h"
+
+namespace gw {
+
+namespace {
+
+using namespace theme;
+
+struct Control {
+  const char* keys;
+  const char* does;
+};
+constexpr Control kControls[] = {{"WASD", "move"},
+                                 {"ARROWS or MOUSE", "aim and fire"},
+                                 {"SPACE", "flush"},
+                                 {"ESC", "pause"},
+                                 {"F", "fullscreen"}};
+
+// "WASD move   ARROWS or MOUSE aim and fire   ..." in two colours, as one centred line.
+void drawControls(Canvas& canvas, float baseline) {
+  constexpr float kSize = 11, kBetween = 9, kApart = 34;
+  float total = -kApart;
+  for (const Control& control : kControls) {
+    total += canvas.textWidth(control.keys, kSize) + kBetween + canvas.textWidth(control.does, kSize) + kApart;
+  }
+  float x = (canvas.width() - total) / 2;
+  for (const Control& control : kControls) {
+    canvas.text(control.keys, x, baseline, style(kSize, kAccent, TextAlign::left, 0.3f));
+    x += canvas.textWidth(control.keys, kSize) + kBetween;
+    canvas.text(control.does, x, baseline, style(kSize, kText, TextAlign::left, 0.1f));
+    x += canvas.textWidth(control.does, kSize) + kApart;
+  }
+}
+
+}  // namespace
+
+void drawTitle(Canvas& canvas, const TitleFrame& frame) {
+  const float middle = canvas.width() / 2;
+  canvas.rectangle(0, 0, canvas.width(), Canvas::kHeight, faded(kShade, 0.55f));
+  canvas.nextLayer();
+
+  // The sign switches on like a tube: a few flickers in the first second, then steady.
+  const double t = frame.time_s;
+  const bool lit = t > 0.75 || std::fmod(t * 7.3, 1.0) > 0.35;
+  TextStyle sign = style(92, faded(kAccent, lit ? 1.0f : 0.25f), TextAlign::centre, lit ? 0.9f : 0.1f);
+  sign.weight = 0.3f;
+  canvas.text("GPUWARS", middle, 290, sign);
+  canvas.gradient(middle - 330, 322, 330, 2, faded(kAccent, 0), faded(kAccent, 0.8f));
+  canvas.gradient(middle, 322, 330, 2, faded(kAccent, 0.8f), faded(kAccent, 0));
+  canvas.text("process everything. keep the frame rate alive.", middle, 360,
+              style(14, kText, TextAlign::centre, 0.25f));
+
+  const float pulse = 0.65f + 0.35f * float(std::sin(t * 3.2));
+  canvas.text("PRESS ENTER", middle, 470, style(22, faded(kGold, pulse), TextAlign::centre, 0.6f));
+  canvas.text("or click, or space", middle, 496, style(10, kQuiet, TextAlign::centre, 0));
+  if (frame.best > 0) {
+    canvas.text("best " + withCommas(frame.best), middle, 540, style(14, kText, TextAlign::centre, 0.3f));
+  }
+
+  drawControls(canvas, Canvas::kHeight - 76);
+  canvas.text(frame.mode + ", up to " + withCommas(frame.enemies) + " enemies on " + frame.device, middle,
+              Canvas::kHeight - 36, style(9, kQuiet, TextAlign::centre, 0));
+}
+
+}  // namespace gw
