@@ -65,8 +65,8 @@ struct ParsedCommandLine {
   bool run = false;  // false: say the texts below and exit with `code`
   Options options;
   ExitCode code = ExitCode::fine;
-  std::string output;  // for stdout: help, version
-  std::string error;   // for stderr: one sentence with a remedy
+  std::string output;  // for stdout: help, version; ends in a newline
+  std::string error;   // for stderr: one sentence with a remedy, no newline
 };
 
 // `arguments` without the program's name. Never throws on what a user can pass.

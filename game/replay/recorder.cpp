@@ -13,6 +13,8 @@ namespace gw {
 Recorder::Recorder(std::filesystem::path path, ReplayHeader header, RuleTexts rules)
     : path_(std::move(path)), replay_{std::move(header), std::move(rules), {}, {}, {}} {
   checkWritable(path_);
+  std::string& options = replay_.header.options;  // for people only: cut rather than refused
+  if (options.size() > replay_format::kMaxOptionsBytes) options.resize(replay_format::kMaxOptionsBytes);
   replay_.inputs.reserve(kMaxTicks);  // 14 MB of addresses; pages come as ticks do
   replay_.hashes.reserve(kMaxTicks);
 }

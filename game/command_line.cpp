@@ -1,0 +1,284 @@
+#include "game/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <stdexcept>
+
+#include "game/command_line_values.h"
+#include "game/replay/format.h"
+
+namespace gw {
+namespace {
+
+struct VerbName {
+  std::string_view name;
+  Verb verb;
+  const char* summary;
+};
+constexpr VerbName kVerbs[] = {
+    {"play", Verb::play, "Play; what happens with no verb at all."},
+    {"replay", Verb::replay, "Watch a replay."},
+    {"verify", Verb::verify, "Run replays again and compare every tick."},
+    {"devices", Verb::devices, "Say which devices there are and which one 'auto' takes."},
+};
+constexpr std::string_view kLaterVerbs[] = {"profile", "render"};
+
+constexpr Choice kModes[] = {{"arcade", uint32_t(Mode::arcade)}, {"deadline"}, {"swarm"}, {"practice"}};
+constexpr Choice kDevices[] = {{"auto", uint32_t(DeviceOption::automatic)},
+                               {"cuda", uint32_t(DeviceOption::cuda)},
+                               {"cpu", uint32_t(DeviceOption::cpu)}};
+constexpr Choice kBroadPhases[] = {
+    {"ngrid", uint32_t(BroadPhase::ngrid)}, {"brute", uint32_t(BroadPhase::bruteForce)}, {"grid"}, {"grid-hashed"}};
+constexpr Choice kGathers[] = {{"exact", 0}, {"adaptive"}, {"fixed"}};
+constexpr Choice kSorts[] = {{"bitonic", 0}, {"odd-even"}, {"full"}, {"frozen"}};
+constexpr Choice kAutopilots[] = {{"novice", uint32_t(Autopilot::novice)}, {"expert", uint32_t(Autopilot::expert)}};
+constexpr Choice kOrders[] = {{"forward", uint32_t(VisitOrder::forward)},
+                              {"reversed", uint32_t(VisitOrder::reversed)},
+                              {"shuffled", uint32_t(VisitOrder::shuffled)}};
+
+std::string mainHelp() {
+  std::string text = "GpuWars: a twin-stick shooter whose whole simulation runs as GPU kernels.\n\n";
+  text += "Usage: gpuwars [VERB] [OPTIONS]\n\nVerbs:\n";
+  for (const VerbName& verb : kVerbs) text += fmt::format("  {:<9}{}\n", verb.name, verb.summary);
+  text += "\n'gpuwars VERB --help' lists a verb's options; they mean the same under every verb.\n";
+  text += "Exit codes: 0 fine, 1 failed run, 2 bad usage, 3 bad file, 4 desync.\n";
+  return text;
+}
+
+// The options of one verb, bound to `options`. Values are taken as text and read by command_line_values,
+// so that every refusal is one sentence of ours.
+class VerbParser {
+ public:
+  VerbParser(const VerbName& verb, Options& options)
+      : verb_(verb),
+        options_(options),
+        app_(verb.summary, fmt::format("gpuwars {}", verb.name)),
+        values_(app_, std::string(verb.name)) {
+    app_.set_version_flag("--version", versionText());
+    app_.allow_extras();  // so that checkExtras() can say where they belong
+    options_.verb = verb.verb;
+    if (verb.verb == Verb::play) addGame();
+    if (verb.verb != Verb::devices) addComputing();
+    if (verb.verb == Verb::play || verb.verb == Verb::replay) addWindow();
+    if (verb.verb == Verb::replay) addReplay();
+    if (verb.verb == Verb::verify) addVerify();
+    if (verb.verb == Verb::devices) addDevices();
+  }
+
+  // Throws UsageError or CLI::CallForHelp and the like.
+  void parse(std::vector<std::string> arguments) {
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+    try {
+      app_.parse(arguments);
+    } catch (const CLI::Success&) {
+      throw;
+    } catch (const CLI::ParseError& error) {
+      values_.explain(error);
+    }
+    checkExtras();
+    values_.read();
+    if (takesFiles() && options_.files.empty()) {
+      throw UsageError(fmt::format("'gpuwars {}' needs a replay; name the file", verb_.name));
+    }
+    checkContradictions();
+  }
+
+  std::string help() const { return app_.help(); }
+
+  bool knows(const std::string& option) const { return app_.get_option_no_throw(option) != nullptr; }
+
+  static std::string versionText() {
+    return fmt::format("gpuwars {} (simulation {}, replay format {}.{})", GW_VERSION, kSimulationVersion, kReplayMajor,
+                       kReplayMinor);
+  }
+
+ private:
+  void addGame() {
+    values_.choice("--mode", kModes, "the game", "arcade", [&](uint32_t v) { options_.mode = Mode(v); });
+    values_.integer("--seed", "seed of the game; by default 1 when headless, else a new one each time", 0, UINT64_MAX,
+                    [&](uint64_t v) { options_.seed = v; });
+    values_.integer("--enemies", "how many live enemies fit (8192)", 1, kMaxEnemies,
+                    [&](uint64_t v) { options_.enemies = uint32_t(v); });
+    values_.choice("--autopilot", kAutopilots, "who plays instead of you", "nobody",
+                   [&](uint32_t v) { options_.autopilot = Autopilot(v); });
+    values_.integer("--ticks", "end after so many ticks of 1/60 s", 1, kMaxTicks,
+                    [&](uint64_t v) { options_.ticks = uint32_t(v); });
+    values_.flag("--headless", "no window, no waiting: as fast as it goes", [&] { options_.headless = true; });
+    values_.path("--record", "write a replay to FILE", "FILE", [&](std::string v) { options_.recordPath = v; });
+    values_.path("--hashes", "headless: write one line a tick to OUT ('-': stdout)", "OUT",
+                 [&](std::string v) { options_.hashesPath = v; });
+    values_.path(
+        "--screenshot", "headless: write the last tick's picture to FILE (PNG)", "FILE",
+        [&](std::string v) { options_.screenshotPath = v; }, kDiagnostics);
+  }
+
+  void addComputing() {
+    values_.choice("--device", kDevices, "what computes", "auto",
+                   [&](uint32_t v) { options_.device = DeviceOption(v); });
+    values_.integer("--threads", "worker threads of the cpu device (0: what the machine has)", 0, 256,
+                    [&](uint64_t v) { options_.threads = uint32_t(v); });
+    values_.choice("--broad-phase", kBroadPhases, "how neighbours are found; cannot change the game", "ngrid",
+                   [&](uint32_t v) { options_.broadPhase = BroadPhase(v); });
+    values_.choice("--gather", kGathers, "how the NGrid is asked", "exact", [](uint32_t) {});
+    values_.choice("--sort", kSorts, "how the NGrid is kept in order", "bitonic", [](uint32_t) {});
+    values_.flag(
+        "--thesis", "", [] { throw UsageError(notYet("--thesis", "leave it out to play the exact game")); }, kHidden);
+    values_.choice(
+        "--order", kOrders, "in which order the cpu device visits items", "forward",
+        [&](uint32_t v) { options_.order = VisitOrder(v); }, kDiagnostics);
+    values_.flag(
+        "--protect-memory", "the cpu device's memory is unreadable outside launches and copies",
+        [&] { options_.protectMemory = true; }, kDiagnostics);
+    values_.path(
+        "--assets", "folder of shaders and rule tables", "DIR", [&](std::string v) { options_.assetsDir = v; },
+        kDiagnostics);
+  }
+
+  void addWindow() {
+    values_.integer("--width", "of the window or screenshot, in pixels (1280)", 320, 7680,
+                    [&](uint64_t v) { options_.width_px = uint32_t(v); });
+    values_.integer("--height", "of the window or screenshot, in pixels (720)", 200, 4320,
+                    [&](uint64_t v) { options_.height_px = uint32_t(v); });
+    values_.flag("--fullscreen", "fill the screen", [&] { options_.fullscreen = true; });
+    values_.flag("--mute", "no sound", [&] { options_.mute = true; });
+  }
+
+  void addReplay() {
+    values_.files("FILE", "the replay to watch", 1, [&](std::string v) { options_.files.emplace_back(v); });
+    values_.number("--speed", "times real time (1)", 0.05, 64, [&](double v) { options_.speed = v; });
+    values_.integer("--from", "the tick to start watching at", 0, kMaxTicks,
+                    [&](uint64_t v) { options_.fromTick = uint32_t(v); });
+  }
+
+  void addVerify() {
+    values_.files("FILE", "the replays to run again", SIZE_MAX, [&](std::string v) { options_.files.emplace_back(v); });
+    values_.integer("-j,--jobs", "how many replays at the same time (1)", 1, 256,
+                    [&](uint64_t v) { options_.jobs = uint32_t(v); });
+    values_.path("--json", "write the results to OUT ('-': stdout)", "OUT",
+                 [&](std::string v) { options_.jsonPath = v; });
+    values_.path("--hashes", "write one line a tick to OUT ('-': stdout)", "OUT",
+                 [&](std::string v) { options_.hashesPath = v; });
+  }
+
+  void addDevices() {
+    values_.pathOrStdout("--json", "write the list as JSON to OUT, or to stdout", "OUT",
+                         [&](std::string v) { options_.jsonPath = v; });
+  }
+
+  bool takesFiles() const { return verb_.verb == Verb::replay || verb_.verb == Verb::verify; }
+
+  void checkExtras() const {
+    const std::vector<std::string> extras = app_.remaining();
+    if (extras.empty()) return;
+    const std::string& extra = extras.front();
+    if (!extra.starts_with("-")) {
+      if (takesFiles()) throw UsageError(fmt::format("'{}' is one file too many; give just one", extra));
+      throw UsageError(fmt::format("'{}' is not understood; 'gpuwars {}' takes options only", extra, verb_.name));
+    }
+    const std::string option = extra.substr(0, extra.find('='));
+    for (const VerbName& other : kVerbs) {
+      Options unused;
+      if (VerbParser(other, unused).knows(option)) {
+        throw UsageError(fmt::format("'{}' belongs to 'gpuwars {}', not to 'gpuwars {}'; leave it out", option,
+                                     other.name, verb_.name));
+      }
+    }
+    throw UsageError(fmt::format("'{}' is not an option; see 'gpuwars {} --help'", option, verb_.name));
+  }
+
+  void checkContradictions() const {
+    const auto refuse = [](const char* sentence) { throw UsageError(sentence); };
+    const Options& o = options_;
+    if (o.verb == Verb::play) {
+      if (o.headless && o.fullscreen) refuse("'--headless' has no window for '--fullscreen'; leave out one of the two");
+      if (o.headless && !o.ticks) refuse("'--headless' does not end by itself; give '--ticks N' too");
+      if (!o.headless && !o.hashesPath.empty()) refuse("'--hashes' is for runs without a window; add '--headless'");
+      if (!o.headless && !o.screenshotPath.empty())
+        refuse("'--screenshot' is for runs without a window; add '--headless'");
+      if (!o.recordPath.empty() && o.recordPath == o.hashesPath) {
+        refuse("'--record' and '--hashes' name the same file; give each its own");
+      }
+    }
+    if (o.verb == Verb::verify && !o.jsonPath.empty() && o.jsonPath == o.hashesPath) {
+      refuse("'--json' and '--hashes' name the same place; give each its own");
+    }
+    if (o.device == DeviceOption::cuda && (o.order != VisitOrder::forward || o.protectMemory)) {
+      refuse("'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'");
+    }
+  }
+
+  static constexpr const char* kDiagnostics = "Diagnostics";
+  static constexpr const char* kHidden = "";
+
+  VerbName verb_;
+  Options& options_;
+  CLI::App app_;
+  CommandLineValues values_;
+};
+
+const VerbName* findVerb(std::string_view name) {
+  const auto* found =
+      std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const VerbName& v) { return v.name == name; });
+  return found == std::end(kVerbs) ? nullptr : found;
+}
+
+// The verb that the arguments begin with; takes it off them.
+const VerbName& takeVerb(std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with("-")) return kVerbs[0];
+  const std::string name = arguments.front();
+  if (std::find(std::begin(kLaterVerbs), std::end(kLaterVerbs), name) != std::end(kLaterVerbs)) {
+    throw UsageError(notYet("gpuwars " + name, "see 'gpuwars --help' for what is"));
+  }
+  const VerbName* verb = findVerb(name);
+  if (!verb) {
+    throw UsageError(
+        fmt::format("'{}' is not a verb; choose play, replay, verify or devices (to watch a file: "
+                    "'gpuwars replay FILE')",
+                    name));
+  }
+  arguments.erase(arguments.begin());
+  return *verb;
+}
+
+// As one line, with quotes where a shell needs them.
+std::string joined(const std::vector<std::string>& arguments) {
+  std::string text;
+  for (const std::string& argument : arguments) {
+    const bool plain = !argument.empty() && argument.find_first_of(" \t\n'\"\\$&|;<>()*?") == std::string::npos;
+    text += (text.empty() ? "" : " ") + (plain ? argument : "'" + argument + "'");
+  }
+  return text;
+}
+
+}  // namespace
+
+ParsedCommandLine parseCommandLine(const std::vector<std::string>& arguments) {
+  ParsedCommandLine result;
+  if (arguments.size() == 1 && (arguments[0] == "--help" || arguments[0] == "-h")) {
+    result.output = mainHelp();
+    return result;
+  }
+  try {
+    std::vector<std::string> rest = arguments;
+    VerbParser parser(takeVerb(rest), result.options);
+    try {
+      parser.parse(rest);
+      result.options.text = joined(arguments);
+      result.run = true;
+    } catch (const CLI::CallForVersion&) {
+      result.output = VerbParser::versionText() + "\n";
+    } catch (const CLI::Success&) {
+      result.output = parser.help();
+    }
+  } catch (const UsageError& error) {
+    result.code = ExitCode::badUsage;
+    result.error = error.what();
+  }
+  return result;
+}
+
+}  // namespace gw

@@ -1,0 +1,146 @@
+#include "game/command_line_values.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace gw {
+namespace {
+
+// 1,000,000 rather than 1000000, whatever the locale.
+std::string grouped(uint64_t value) {
+  std::string text = std::to_string(value);
+  for (size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+  return text;
+}
+
+// "--jobs" of "-j,--jobs".
+std::string longName(std::string_view names) {
+  return std::string(names.substr(names.find("--")));
+}
+
+template <class T>
+std::optional<T> parsed(const std::string& text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::string notYet(std::string_view what, std::string_view remedy) {
+  return fmt::format("'{}' is not in this version yet; {}", what, remedy);
+}
+
+CLI::Option* CommandLineValues::declare(const char* names, const char* help, const char* placeholder, const char* group,
+                                        std::function<void(const std::string&)> take) {
+  CLI::Option* option = app_.add_option_function<std::string>(
+      names, [](const std::string&) {}, help);
+  option->type_name(placeholder)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group(group);
+  entries_.push_back({longName(names), option, std::move(take), true});
+  return option;
+}
+
+void CommandLineValues::flag(const char* name, const char* help, std::function<void()> take, const char* group) {
+  CLI::Option* option = app_.add_flag(name, help)->disable_flag_override()->group(group);
+  entries_.push_back({name, option, [take = std::move(take)](const std::string&) { take(); }, false});
+}
+
+void CommandLineValues::choice(const char* name, std::span<const Choice> choices, const char* help,
+                               const char* standard, std::function<void(uint32_t)> take, const char* group) {
+  std::string now;
+  for (const Choice& c : choices) {
+    if (c.value) now += (now.empty() ? "" : "|") + std::string(c.name);
+  }
+  const auto read = [name = std::string(name), now, choices, take = std::move(take)](const std::string& text) {
+    for (const Choice& c : choices) {
+      if (c.name != text) continue;
+      if (!c.value) throw UsageError(notYet(name + " " + text, fmt::format("choose {}", now)));
+      return take(*c.value);
+    }
+    throw UsageError(fmt::format("'{} {}' is not known; choose {}", name, text, now));
+  };
+  declare(name, fmt::format("{} ({})", help, standard).c_str(), now.c_str(), group, read);
+}
+
+void CommandLineValues::integer(const char* name, const char* help, uint64_t least, uint64_t most,
+                                std::function<void(uint64_t)> take, const char* group) {
+  declare(name, help, "N", group, [=, name = longName(name), take = std::move(take)](const std::string& text) {
+    const auto value = parsed<uint64_t>(text);
+    if (!value || *value < least || *value > most) {
+      throw UsageError(fmt::format("'{} {}' does not work; give a whole number from {} to {}", name, text,
+                                   grouped(least), grouped(most)));
+    }
+    take(*value);
+  });
+}
+
+void CommandLineValues::number(const char* name, const char* help, double least, double most,
+                               std::function<void(double)> take) {
+  declare(name, help, "X", "Options", [=, name = std::string(name), take = std::move(take)](const std::string& text) {
+    const auto value = parsed<double>(text);
+    if (!value || !(*value >= least && *value <= most)) {
+      throw UsageError(fmt::format("'{} {}' does not work; give a number from {} to {}", name, text, least, most));
+    }
+    take(*value);
+  });
+}
+
+void CommandLineValues::path(const char* name, const char* help, const char* placeholder,
+                             std::function<void(std::string)> take, const char* group) {
+  declare(name, help, placeholder, group, [name = std::string(name), take = std::move(take)](const std::string& text) {
+    if (text.empty()) throw UsageError(fmt::format("'{}' has an empty name; give it a file name", name));
+    if (text.starts_with("--")) {
+      throw UsageError(
+          fmt::format("'{}' is followed by '{}' where its file name should be; give it one ('./{}' if it "
+                      "is really called so)",
+                      name, text, text));
+    }
+    take(text);
+  });
+}
+
+void CommandLineValues::pathOrStdout(const char* name, const char* help, const char* placeholder,
+                                     std::function<void(std::string)> take) {
+  path(name, help, placeholder, [take = std::move(take)](const std::string& text) {
+    take(text == "true" ? "-" : text);  // "true" is what CLI11 stores for an option without its value
+  });
+  entries_.back().option->expected(0, 1);
+}
+
+void CommandLineValues::files(const char* placeholder, const char* help, size_t most,
+                              std::function<void(std::string)> take) {
+  CLI::Option* option = app_.add_option(std::string(placeholder))->description(help)->type_name("");
+  option->expected(0, most == 1 ? 1 : CLI::detail::expected_max_vector_size);
+  entries_.push_back({placeholder, option,
+                      [take = std::move(take)](const std::string& text) {
+                        if (text.empty()) throw UsageError("a file name is empty; give the file's name");
+                        take(text);
+                      },
+                      false});
+}
+
+void CommandLineValues::read() const {
+  for (const Entry& entry : entries_) {
+    const std::vector<std::string>& texts = entry.option->results();
+    if (entry.once && texts.size() > 1) {
+      throw UsageError(fmt::format("'{}' is given more than once; keep one of them", entry.name));
+    }
+    for (const std::string& text : texts) entry.take(text);
+  }
+}
+
+void CommandLineValues::explain(const CLI::ParseError& error) const {
+  const std::string what = error.what();
+  const std::string name = what.substr(0, what.find_first_of(": "));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
+    if (what.find("override") != std::string::npos) {
+      throw UsageError(fmt::format("'{}' takes no value; leave out what follows its '='", name));
+    }
+    throw UsageError(fmt::format("'{}' needs a value; see 'gpuwars {} --help'", name, verb_));
+  }
+  throw UsageError(fmt::format("the command line is not understood ({}); see 'gpuwars {} --help'", what, verb_));
+}
+
+}  // namespace gw
