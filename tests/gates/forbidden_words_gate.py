@@ -10,7 +10,7 @@ import gate_tools
 # gpu/exact_math.h has our own; min, max are ternaries.
 LIBRARY = ("sin cos tan asin acos atan atan2 sincos sinh cosh tanh exp exp2 exp10 expm1 log log2 log10 log1p "
            "pow hypot cbrt fma fmin fmax fmod remainder erf tgamma lgamma rsqrt rcbrt sinpi cospi "
-           "lrint llrint rint nearbyint").split()
+           "lrint llrint").split()
 REFUSED = [
     # sinf(, std::sin(, ::sinf(; and sin( on its own, but not x.sin( or exact::sin(.
     (re.compile(r"(?<![\w.>:])(?:(?:std)?::)?(?:" + "|".join(LIBRARY) + r")f?\s*\("), "library function"),
@@ -21,7 +21,8 @@ REFUSED = [
     (re.compile(r"\batomic(?:_ref)?\s*<\s*(?:float|double)\b"), "float atomic"),
     (re.compile(r"#\s*pragma\s+(?:STDC\s+FP_CONTRACT\s+ON|GCC\s+optimize)|-ffast-math|\bfast-math\b"), "float mode"),
     (re.compile(r"\b(?:random_device|mt19937(?:_64)?|system_clock|gettimeofday|clock64)\b"
-                r"|(?<![\w.>:])(?:std::)?(?:s?rand|time|clock)\s*\("), "value that is not in the replay"),
+                r"|(?<![\w.>:])(?:std::)?s?rand\s*\(|\bstd::(?:time|clock)\s*\("
+                r"|\b(?:time\s*\(\s*(?:0|NULL|nullptr)\s*|clock\s*\(\s*)\)"), "value that is not in the replay"),
     (re.compile(r"\blong\s+double\b"), "x87 arithmetic"),
 ]
 
@@ -45,10 +46,11 @@ def planted(build, folder):
                "y = std::fmax(a, b);", "y = rsqrtf(x);", "y = powf(x, 2.0f);", "y = __expf(x);", "y = std::fma(a, b, c);",
                "y = __fmaf_rn(a, b, c);", "atomicAdd((float*)p, 1.0f);", "atomicAdd<float>(p, 1.0f);",
                "atomicAdd(reinterpret_cast<float*>(p), 1.0f);", "std::atomic<float> sum;", "y = std::rand();",
-               "std::random_device device;", "long double y;", "y = atan2f(a, b);", "/* why */ y = expf(x);"]
+               "std::random_device device;", "y = time(nullptr);", "y = clock();", "long double y;", "y = atan2f(a, b);",
+               "/* why */ y = expf(x);"]
     allowed = ["y = sqrtf(x);", "y = exactSin(x);", "// sinf(x) differs", "y = exact::sin(x);", 'log("sinf(x)");'[4:],
                "y = a < b ? a : b;", "atomicAdd(counts, 1u);", "y = self.cos(x);", "uint32_t n = 1'000'000;",
-               "float cosine = runtime(x);", "/* sinf(x)\n   cosf(x) */"]
+               "float cosine = runtime(x);", "void time(const char* stage);", "/* sinf(x)\n   cosf(x) */"]
     sources = folder / "game" / "sim"
     sources.mkdir(parents=True)
     (sources / "planted.cu").write_text("\n".join(refused) + "\n")
