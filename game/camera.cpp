@@ -10,8 +10,8 @@ namespace {
 // One axis of the centre, so that at most `past` is seen beyond either wall; a view wider than that is
 // centred on the world.
 float clampAxis(float centre, float half, float world, float past) {
-  const float most = world / 2 + past - half;
-  return most < 0 ? 0.0f : std::clamp(centre, -most, most);
+  const float low = half - past, high = world - half + past;
+  return low > high ? world / 2 : std::clamp(centre, low, high);
 }
 
 }  // namespace
@@ -20,6 +20,8 @@ FollowCamera::FollowCamera(float worldWidth_m, float worldHeight_m, const Camera
     : rules_(rules),
       worldWidth_m_(worldWidth_m),
       worldHeight_m_(worldHeight_m),
+      x_(worldWidth_m / 2),
+      y_(worldHeight_m / 2),
       height_(rules.height_m) {}
 
 void FollowCamera::snap(const Target& target, float aspect) {

@@ -25,7 +25,7 @@ class FollowCamera {
     uint32_t enemiesInView;
   };
 
-  // The world spans -half..+half of these, with (0, 0) in its middle.
+  // The world spans 0..width and 0..height, as the simulation has it.
   FollowCamera(float worldWidth_m, float worldHeight_m, const CameraRules& rules = {});
 
   // Goes there at once: the first frame of a run.
@@ -50,7 +50,7 @@ class FollowCamera {
 
   CameraRules rules_;
   float worldWidth_m_, worldHeight_m_;
-  float x_ = 0, y_ = 0;
+  float x_, y_;
   float height_;
   float aspect_ = 16.0f / 9.0f;
 };
