@@ -172,11 +172,11 @@ class VerbParser {
   bool takesFiles() const { return verb_.verb == Verb::replay || verb_.verb == Verb::verify; }
 
   void checkExtras() const {
-    const std::vector<std::string> extras = app_.remaining();
+    std::vector<std::string> extras = app_.remaining();
+    std::erase(extras, "--");
     if (extras.empty()) return;
     const std::string& extra = extras.front();
     if (!extra.starts_with("-")) {
-      if (takesFiles()) throw UsageError(fmt::format("'{}' is one file too many; give just one", extra));
       throw UsageError(fmt::format("'{}' is not understood; 'gpuwars {}' takes options only", extra, verb_.name));
     }
     const std::string option = extra.substr(0, extra.find('='));
@@ -249,7 +249,8 @@ std::string joined(const std::vector<std::string>& arguments) {
   std::string text;
   for (const std::string& argument : arguments) {
     const bool plain = !argument.empty() && argument.find_first_of(" \t\n'\"\\$&|;<>()*?") == std::string::npos;
-    text += (text.empty() ? "" : " ") + (plain ? argument : "'" + argument + "'");
+    if (!text.empty()) text += ' ';
+    text += plain ? argument : fmt::format("'{}'", argument);
   }
   return text;
 }

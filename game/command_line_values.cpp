@@ -9,8 +9,12 @@ namespace {
 
 // 1,000,000 rather than 1000000, whatever the locale.
 std::string grouped(uint64_t value) {
-  std::string text = std::to_string(value);
-  for (size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+  const std::string digits = std::to_string(value);
+  std::string text;
+  for (size_t i = 0; i < digits.size(); ++i) {
+    if (i && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
   return text;
 }
 
@@ -38,20 +42,22 @@ CLI::Option* CommandLineValues::declare(const char* names, const char* help, con
   CLI::Option* option = app_.add_option_function<std::string>(
       names, [](const std::string&) {}, help);
   option->type_name(placeholder)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group(group);
-  entries_.push_back({longName(names), option, std::move(take), true});
+  entries_.push_back({longName(names), option, std::move(take), 1});
   return option;
 }
 
 void CommandLineValues::flag(const char* name, const char* help, std::function<void()> take, const char* group) {
-  CLI::Option* option = app_.add_flag(name, help)->disable_flag_override()->group(group);
-  entries_.push_back({name, option, [take = std::move(take)](const std::string&) { take(); }, false});
+  CLI::Option* option = app_.add_flag(std::string(name))->description(help)->disable_flag_override()->group(group);
+  entries_.push_back({name, option, [take = std::move(take)](const std::string&) { take(); }, SIZE_MAX});
 }
 
 void CommandLineValues::choice(const char* name, std::span<const Choice> choices, const char* help,
                                const char* standard, std::function<void(uint32_t)> take, const char* group) {
   std::string now;
   for (const Choice& c : choices) {
-    if (c.value) now += (now.empty() ? "" : "|") + std::string(c.name);
+    if (!c.value) continue;
+    if (!now.empty()) now += '|';
+    now += c.name;
   }
   const auto read = [name = std::string(name), now, choices, take = std::move(take)](const std::string& text) {
     for (const Choice& c : choices) {
@@ -103,28 +109,32 @@ void CommandLineValues::path(const char* name, const char* help, const char* pla
 
 void CommandLineValues::pathOrStdout(const char* name, const char* help, const char* placeholder,
                                      std::function<void(std::string)> take) {
-  path(name, help, placeholder, [take = std::move(take)](const std::string& text) {
-    take(text == "true" ? "-" : text);  // "true" is what CLI11 stores for an option without its value
-  });
-  entries_.back().option->expected(0, 1);
+  path(name, help, placeholder, std::move(take));
+  Entry& entry = entries_.back();
+  entry.option->expected(0, 1);
+  entry.take = [takePath = std::move(entry.take)](const std::string& text) { takePath(text.empty() ? "-" : text); };
 }
 
 void CommandLineValues::files(const char* placeholder, const char* help, size_t most,
                               std::function<void(std::string)> take) {
-  CLI::Option* option = app_.add_option(std::string(placeholder))->description(help)->type_name("");
-  option->expected(0, most == 1 ? 1 : CLI::detail::expected_max_vector_size);
+  CLI::Option* option = app_.add_option_function<std::vector<std::string>>(
+      placeholder, [](const std::vector<std::string>&) {}, help);
+  option->type_name("")->expected(0, CLI::detail::expected_max_vector_size);
   entries_.push_back({placeholder, option,
                       [take = std::move(take)](const std::string& text) {
                         if (text.empty()) throw UsageError("a file name is empty; give the file's name");
                         take(text);
                       },
-                      false});
+                      most});
 }
 
 void CommandLineValues::read() const {
   for (const Entry& entry : entries_) {
     const std::vector<std::string>& texts = entry.option->results();
-    if (entry.once && texts.size() > 1) {
+    if (texts.size() > entry.most) {
+      if (entry.option->get_positional()) {
+        throw UsageError(fmt::format("'{}' is one file too many; give just one", texts[entry.most]));
+      }
       throw UsageError(fmt::format("'{}' is given more than once; keep one of them", entry.name));
     }
     for (const std::string& text : texts) entry.take(text);
@@ -136,7 +146,7 @@ void CommandLineValues::explain(const CLI::ParseError& error) const {
   const std::string name = what.substr(0, what.find_first_of(": "));
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     if (what.find("override") != std::string::npos) {
-      throw UsageError(fmt::format("'{}' takes no value; leave out what follows its '='", name));
+      throw UsageError(fmt::format("'--{}' takes no value; leave out what follows its '='", name));
     }
     throw UsageError(fmt::format("'{}' needs a value; see 'gpuwars {} --help'", name, verb_));
   }

@@ -59,7 +59,7 @@ class CommandLineValues {
     std::string name;  // as messages show it
     CLI::Option* option;
     std::function<void(const std::string&)> take;
-    bool once;
+    size_t most;  // values
   };
   CLI::Option* declare(const char* names, const char* help, const char* placeholder, const char* group,
                        std::function<void(const std::string&)> take);

@@ -96,7 +96,10 @@ uint32_t findEnemyType(const Rules& rules, std::string_view name) {
 
 std::string enemyTypeNames(const Rules& rules) {
   std::string names;
-  for (uint32_t i = 0; i < rules.enemyTypeCount; ++i) names += (i ? ", " : "") + std::string(rules.enemies[i].name);
+  for (uint32_t i = 0; i < rules.enemyTypeCount; ++i) {
+    if (i) names += ", ";
+    names += rules.enemies[i].name;
+  }
   return names;
 }
 
