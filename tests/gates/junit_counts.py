@@ -1,7 +1,7 @@
 """Prints "passed failed skipped" of a ctest JUnit file.
 
-Skipped is only what said so itself (GTEST_SKIP, exit status 77, DISABLED_ in its name). A test that ctest could not run, such as
-one whose program is missing, is a failure.
+Skipped is only what said so itself (GTEST_SKIP, exit status 77, DISABLED_ in its name). A test that ctest
+could not run, such as one whose program is missing, is a failure.
 """
 import sys
 import xml.etree.ElementTree as ElementTree
