@@ -10,9 +10,9 @@ enum Uniform : GLint { kCamera = 0, kWorld = 1, kLines = 2, kMood = 3 };  // loc
 
 constexpr float kStep_m = 4;  // as in grid.vert
 constexpr int kWalls = 4;
-constexpr int kTornSegments = 48;  // enough for bands of 1.5 m at the widest view of 52 m and a little more
+constexpr int kBands = 22;         // of the screen that tear as one: about 33 pixels each at 720
 constexpr float kFlicker_hz = 14;  // slower looks like a fault, faster like noise
-constexpr float kCalm = .01f;      // below this nothing tears: a line is one segment
+constexpr float kCalm = .01f;      // below this nothing tears: the screen is one band
 
 struct Range {
   int first, count;
@@ -37,22 +37,22 @@ void GridPass::draw(const GridFrame& frame) {
   const float worldHalfWidth_m = frame.worldWidth_m / 2, worldHalfHeight_m = frame.worldHeight_m / 2;
   const Range upright = linesInView(camera.centre_x, camera.halfWidth_m, worldHalfWidth_m);
   const Range level = linesInView(camera.centre_y, camera.halfHeight_m, worldHalfHeight_m);
-  const int segments = unrest < kCalm ? 1 : kTornSegments;
+  const int bands = unrest < kCalm ? 1 : kBands;
 
-  glClearColor(.006f * frame.brightness, .008f * frame.brightness, .020f * frame.brightness, 1);
+  glClearColor(.010f * frame.brightness, .013f * frame.brightness, .032f * frame.brightness, 1);
   glClear(GL_COLOR_BUFFER_BIT);
 
   glUseProgram(program_.get());
   glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);
   glUniform4f(kWorld, worldHalfWidth_m, worldHalfHeight_m, float(frame.target.height) / (2 * camera.halfHeight_m),
-              float(segments));
+              float(bands));
   glUniform4i(kLines, upright.first, upright.count, level.first, level.count);
   glUniform4f(kMood, frame.time_s, unrest, frame.brightness, std::floor(frame.time_s * kFlicker_hz));
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   glBindVertexArray(vertexArray_.get());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (segments + 1), upright.count + level.count + kWalls);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4 * bands, upright.count + level.count + kWalls);
   checkGl("drawing the grid");
 }
 

@@ -4,15 +4,17 @@
 in float across_px;
 in float along_m;
 flat in vec4 tint;
-flat in vec3 data;
+flat in vec4 data;
 
+layout(location = 1) uniform vec4 world;
 layout(location = 3) uniform vec4 mood;
 layout(location = 0) out vec4 colour;
 
 const float kApart_m = 60;  // between two packets on one line
 
 void main() {
-  float away_px = abs(across_px);
+  float past_px = max(abs(along_m) - data.w, 0.0) * world.z;  // the end of a wall; other lines stop before theirs
+  float away_px = length(vec2(across_px, past_px));
   float reach_px = abs(tint.w);
   float fade = clamp(1 - away_px / reach_px, 0.0, 1.0);
   float line = clamp(tint.w + .5 - away_px, 0.0, 1.0);

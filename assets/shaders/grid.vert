@@ -1,26 +1,28 @@
 #version 450 core
-// One instance = one line of the background, a strip cut into segments so that unrest can tear it. Instances
-// in order: upright lines, level lines, then the four walls (left, right, bottom, top).
+// One instance = one line of the background, a strip cut into one part per band of the screen, so that unrest can
+// tear the bands apart. Instances in order: upright lines, level lines, the four walls (left, right, bottom, top).
+//
+//   sections of an upright line, two bands:   0--1 2--3   (1 and 2 are one place in two bands)
 
 layout(location = 0) uniform vec4 camera;  // centre in metres; 1 / half extents
-layout(location = 1) uniform vec4 world;   // half extents of the world in metres; pixels per metre; segments
+layout(location = 1) uniform vec4 world;   // half extents of the world in metres; pixels per metre; bands
 layout(location = 2) uniform ivec4 lines;  // first upright, upright count, first level, level count
 layout(location = 3) uniform vec4 mood;    // time in seconds; unrest; brightness; time step of the flicker
 
 out float across_px;                    // from the middle of the line
 out float along_m;
 flat out vec4 tint;                     // colour; half width in pixels, negative for a wall's glow
-flat out vec3 data;                     // of what runs along the line: speed (m/s, signed), offset in metres, strength
+flat out vec4 data;                     // of what runs along the line: speed (m/s, signed), offset in metres, strength;
+                                        // and half the length of a wall in metres
 
 const float kStep_m = 4;                // between lines
 const int kMajor = 5;                   // every so many lines a brighter one
 const float kWallGlow_m = 1.6;
-const vec3 kMinorColour = vec3(.022, .045, .095);
-const vec3 kMajorColour = vec3(.045, .100, .200);
+const vec3 kMinorColour = vec3(.030, .062, .135);
+const vec3 kMajorColour = vec3(.055, .125, .260);
 const vec3 kWallColour = vec3(.25, .55, 1.0);
 const vec3 kUneasyColour = vec3(1.0, .22, .16);
 const float kTear_m = 1.4;              // furthest a torn band moves
-const float kBand_m = 1.5;              // height of a band that tears as one
 
 // Repeatable noise for looks only. Integer mixing, since sin-based hashes differ between drivers.
 float noise(int a, int b) {
@@ -43,18 +45,20 @@ void main() {
   float pad_m = wall ? kWallGlow_m : 1.5 / pixelsPerMetre;
   float middle = wall ? ((side & 1) == 0 ? -1 : 1) * (upright ? world.x : world.y) : float(index) * kStep_m;
 
-  // Only the part in view, so that segments are as short as tearing wants them.
   vec2 inView = 1 / camera.zw;
-  vec2 low = max(-world.xy, camera.xy - inView - kTear_m) , high = min(world.xy, camera.xy + inView + kTear_m);
-  float share = float(gl_VertexID >> 1) / world.w;
-  along_m = upright ? mix(low.y, high.y, share) : mix(low.x, high.x, share);
+  vec2 end = world.xy + (wall ? kWallGlow_m : 0);  // walls shine round their corners
+  vec2 low = max(-end, camera.xy - inView - kTear_m), high = min(end, camera.xy + inView + kTear_m);
+  int section = gl_VertexID >> 1;
+  float share = float((section + 1) >> 1) / world.w;
+  float height = upright ? share : (middle - camera.y + inView.y) / (2 * inView.y);  // 0..1 up the screen
+  int band = upright ? section >> 1 : int(floor(height * world.w));
+  along_m = upright ? clamp(camera.y + (2 * height - 1) * inView.y, low.y, high.y) : mix(low.x, high.x, share);
   float beside_m = ((gl_VertexID & 1) * 2 - 1) * pad_m;
   across_px = beside_m * pixelsPerMetre;
   vec2 place = upright ? vec2(middle + beside_m, along_m) : vec2(along_m, middle + beside_m);
 
   // Tearing: now and then a band of the picture slips sideways.
   int beat = int(mood.w);
-  int band = int(floor((upright ? along_m : middle) / kBand_m));
   float slip = noise(band, beat);
   if (slip < unrest * unrest * .35) place.x += (noise(band, beat + 7919) * 2 - 1) * kTear_m * unrest;
 
@@ -64,6 +68,6 @@ void main() {
   tint = vec4(colour * flicker * mood.z, wall ? -half_px : half_px);
 
   float speed = (6 + 10 * noise(index, 1)) * (noise(index, 2) < .5 ? -1 : 1);
-  data = major ? vec3(speed, 200 * noise(index, upright ? 3 : 4), 1) : vec3(0);
+  data = vec4(speed, 200 * noise(index, upright ? 3 : 4), major ? 1 : 0, upright ? world.y : world.x);
   gl_Position = vec4((place - camera.xy) * camera.zw, 0, 1);
 }

@@ -33,6 +33,9 @@ void main() {
   // The line lies just within the shape, so that what is seen is what collides.
   float unit_px = edges.w, halfLine_px = rings.z;
   float line_px = abs(d * unit_px + halfLine_px) - halfLine_px;
+  // Chequers without a fill have their cross drawn: an announced one would else look like a plain square.
+  float cross_px = min(abs(at.x), abs(at.y)) * unit_px - .5;
+  line_px = mix(line_px, min(line_px, max(cross_px, d * unit_px)), lit.x > 0 ? 0.0 : kind.w);
   if (rings.x > 0) {
     float radius = length(at);
     d = radius - rings.x;

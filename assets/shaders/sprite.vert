@@ -37,20 +37,23 @@ const vec4 kEdges[kShapes * 3] = vec4[](
   kNone, kNone, kNone,
   vec4(.82, 0, 0, 0), kNone, kNone,
   vec4(1, 0, .5, .5), kNone, kNone,
-  vec4(.05, 0, 1, .3), vec4(1, .3, -.62, .95), vec4(-.62, .95, -.3, 0));
+  vec4(-.05, 0, 1, .34), vec4(1, .34, -.7, 1), vec4(-.7, 1, -.38, 0));
 const vec4 kFold[kShapes] = vec4[](
   vec4(0, 0, 0, 0), vec4(1, 1, 0, 0), vec4(1, 0, 0, 0), vec4(0, 0, 0, 0), vec4(1, 1, 0, 1),
   vec4(1, 1, 0, 0), vec4(0, 0, 0, 0), vec4(1, 0, .18, 0), vec4(1, 1, 0, 0), vec4(0, 0, 0, 0));
 // Extent: smallest x, largest x, largest |y|; width of the line.
 const vec4 kExtent[kShapes] = vec4[](
   vec4(-.62, 1, .92, 1), vec4(-1, 1, 1, 1), vec4(-1, 1, .866, 1.7), vec4(-.9, 1, .66, 1), vec4(-1, 1, 1, .8),
-  vec4(-1.1, 1.1, 1.1, 1), vec4(-1, 1, 1, .85), vec4(-1, 1, .18, 1), vec4(-1, 1, 1, .8), vec4(-.62, 1, .95, 1));
+  vec4(-1.1, 1.1, 1.1, 1), vec4(-1, 1, 1, .85), vec4(-1, 1, .18, 1), vec4(-1, 1, 1, .8), vec4(-.7, 1, 1, 1.25));
 // Fill when full of energy, fill when spent; how strongly the inside covers; whether the shape turns with its
 // heading (an upright rectangle is what collides, so that is what is shown).
 const vec4 kFill[kShapes] = vec4[](
   vec4(.26, .04, .75, 1), vec4(.22, .04, .75, 0), vec4(.34, .03, .85, 1), vec4(.40, .05, .6, 1), vec4(.75, .10, .75, 0),
-  vec4(.36, .04, .75, 1), vec4(.24, .03, .75, 1), vec4(.9, .9, .5, 1), vec4(.55, .55, .3, 1), vec4(.12, .05, .85, 1));
-const vec2 kRings[kShapes] = vec2[](vec2(0), vec2(0), vec2(0), vec2(0), vec2(0), vec2(0), vec2(1, .5), vec2(0), vec2(0), vec2(0));
+  vec4(.36, .04, .75, 1), vec4(.24, .03, .75, 1), vec4(.9, .9, .5, 1), vec4(.55, .55, .3, 0), vec4(.16, .16, .85, 1));
+// Radii of the outer and the inner ring; how much further than others' its glow reaches (so that one finds oneself).
+const vec3 kRings[kShapes] = vec3[](
+  vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1),
+  vec3(0, 0, 1), vec3(1, .5, 1), vec3(0, 0, 1.2), vec3(0, 0, 1), vec3(0, 0, 3));
 
 const float kAnnounced_ticks = 30;  // World::announced_ticks as the rules start from it: when the outline arrives
 const float kAnnouncedScale = 2;    // and how much larger than the shape it starts
@@ -79,7 +82,7 @@ void main() {
   }
   if (damaged) {
     tint.rgb = light.w > .5 ? mix(tint.rgb, vec3(1), .85) : mix(tint.rgb, vec3(1), .3);
-    lit.x = light.w > .5 ? .8 : lit.x + .15;
+    lit.x = light.w > .5 ? .6 : lit.x + .15;
   }
   if (untouchable) {
     float on = light.w > .5 ? float(fract(view.y / 10) < .5) : .5;
@@ -88,7 +91,7 @@ void main() {
   lit *= view.w;
 
   float unit_px = size_m * view.z;
-  float reach_px = min(light.x * unit_px, light.y);
+  float reach_px = min(light.x * unit_px, light.y) * kRings[shape].z;
   edge0 = edgeOf(kEdges[shape * 3]);
   edge1 = edgeOf(kEdges[shape * 3 + 1]);
   edge2 = edgeOf(kEdges[shape * 3 + 2]);
@@ -96,7 +99,7 @@ void main() {
                distance(kEdges[shape * 3 + 1].xy, kEdges[shape * 3 + 1].zw),
                distance(kEdges[shape * 3 + 2].xy, kEdges[shape * 3 + 2].zw), unit_px);
   kind = kFold[shape];
-  rings = vec4(kRings[shape], clamp(.075 * unit_px, .55, 1.6) * lineWidth, max(reach_px, 1));
+  rings = vec4(kRings[shape].xy, clamp(.075 * unit_px, .55, 1.6) * lineWidth, max(reach_px, 1));
 
   // Strip order: lower left, lower right, upper left, upper right; one more pixel for the soft edge.
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
