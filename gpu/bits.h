@@ -1,6 +1,7 @@
 // Reading a float's bits and back; and the few float helpers whose bits must be equal everywhere.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 

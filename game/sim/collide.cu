@@ -1,0 +1,216 @@
+// Collide: the narrow phase, swept over the motion of this tick, in three passes.
+//
+//   choose   each shot picks the victim it meets first (ties: the lowest id)
+//   suffer   each enemy takes the shots that picked it in (time, id) order until its energy is gone; the
+//            ship's contact, its blast and the flush; contact response: knock-back, and the push apart
+//   finish   each shot that picked a victim stays at the meeting point for this tick, spent or flying on:
+//            so it cannot skip a second victim behind the first
+//
+// Gathers search `cells` (the start of the tick, sorted), with radii widened by what a tick can move.
+#include "game/sim/entity_flags.h"
+#include "game/sim/overlap.h"
+#include "game/sim/stages.h"
+#include "game/sim/sweep.h"
+#include "gpu/fixed_sum.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+// Gathers compare rounded distances: a margin far above a rounding error, far below anything visible.
+constexpr float kMargin_m = 0.01f;
+
+GW_FN bool isAnnounced(const View& v, uint32_t id) {
+  return v.master->tick - v.birthTick[id] < v.tables->rules.world.announced_ticks;
+}
+
+GW_FN bool canBeHit(const View& v, uint32_t id) {
+  return v.nextForceEnergy[id].w > 0.0f && v.state[id].x != uint32_t(State::dead) && !isAnnounced(v, id);
+}
+
+GW_FN float enemyStep_m(const View& v) { return v.tables->limits.fastestEnemy_mps * kTick_s; }
+
+// One item: one id. Nobody has picked anybody yet.
+struct ClearChoices {
+  View v;
+  GW_BODY void operator()(uint32_t id) const {
+    v.choice[id] = kNobody;
+    v.chosenBy[id] = 0;
+    v.spent[id] = 0;
+  }
+};
+
+// One item: one cell; works for shots.
+template <class Search>
+struct ChooseVictims {
+  View v;
+  Search search;
+
+  GW_BODY void operator()(uint32_t i) const {
+    if (v.moved[i].type != kTypeShot || v.master->over) return;
+    const Cell from = v.cells[i], to = v.moved[i];
+    const Rules& r = v.tables->rules;
+    const float dx = to.x - from.x, dy = to.y - from.y;
+    const uint32_t last = v.target[from.id], lastButOne = v.state[from.id].w;
+    const float reach =
+        length(dx, dy) + r.shot.radius_m + v.tables->limits.largestReach_m + enemyStep_m(v) + kMargin_m;
+    float first = kNoMeeting;
+    uint32_t victim = kNobody;
+    search(from.x, from.y, reach, [&](const Cell& other, uint32_t place, float, float) {
+      if (!isEnemy(other.type) || other.id == last || other.id == lastButOne) return;
+      const Cell end = v.moved[place];
+      const float t = sweepBody(from.x - other.x, from.y - other.y, dx - (end.x - other.x), dy - (end.y - other.y),
+                                r.shot.radius_m, r.enemies[other.type]);
+      if (t > first || t > 1.0f || (t == first && other.id > victim) || !canBeHit(v, other.id)) return;
+      first = t;
+      victim = other.id;
+    });
+    if (victim == kNobody) return;
+    v.choice[from.id] = victim;
+    v.choiceTime[from.id] = first;
+    atomicAddTo(v.chosenBy[victim], 1);
+  }
+};
+
+// One item: one cell; works for enemies.
+template <class Search>
+struct Suffer {
+  View v;
+  Search search;
+
+  GW_BODY void operator()(uint32_t i) const {
+    const Cell from = v.cells[i];
+    if (!isEnemy(from.type) || v.master->over) return;
+    if (v.state[from.id].x == uint32_t(State::dead)) return;
+    const Cell to = v.moved[i];
+    if (v.chosenBy[from.id] > 0) takeShots(from);
+    if (!isAnnounced(v, from.id)) meetShip(from, to);
+    v.push[from.id] = separation(from, to);
+  }
+
+ private:
+  // The order of two shots at one victim.
+  GW_BODY static uint64_t turnOf(float time, uint32_t id) { return uint64_t(bitsOf(time)) << 32 | id; }
+
+  GW_BODY void takeShots(const Cell& self) const {
+    const Rules& r = v.tables->rules;
+    Float4 force = v.nextForceEnergy[self.id];
+    Float4 motion = v.velocityPrevious[self.id];
+    const float reach = r.shot.speed_mps * kTick_s + r.shot.radius_m + v.tables->limits.largestReach_m +
+                        enemyStep_m(v) + 2.0f * kMargin_m;
+    uint64_t done = 0;  // turn of the last shot taken, plus one
+    for (uint32_t taken = 0; taken < v.chosenBy[self.id] && force.w > 0.0f; ++taken) {
+      uint64_t next = ~0ull;
+      uint32_t place = 0;
+      search(self.x, self.y, reach, [&](const Cell& shot, uint32_t where, float, float) {
+        if (shot.type != kTypeShot || v.choice[shot.id] != self.id) return;
+        const uint64_t turn = turnOf(v.choiceTime[shot.id], shot.id);
+        if (turn < done || turn >= next) return;
+        next = turn;
+        place = where;
+      });
+      if (next == ~0ull) break;
+      const uint32_t shot = v.cells[place].id;
+      v.spent[shot] = 1;
+      force.w -= v.nextForceEnergy[shot].w;
+      const Float4 way = v.nextDirectionMass[shot];
+      const float kick = r.shot.knockBack_mps / v.nextDirectionMass[self.id].z;
+      motion.x += way.x * kick;
+      motion.y += way.y * kick;
+      done = next + 1;
+    }
+    v.nextForceEnergy[self.id] = force;
+    v.velocityPrevious[self.id] = motion;
+    v.state[self.id].w |= kFlagHit;
+  }
+
+  // Contact costs the ship time; its blast and the flush end what they reach.
+  GW_BODY void meetShip(const Cell& from, const Cell& to) const {
+    const Master& m = *v.master;
+    const Rules& r = v.tables->rules;
+    const EnemyRules& rules = r.enemies[from.type];
+    const Ship& ship = m.ship;
+    Float4 force = v.nextForceEnergy[from.id];
+    if (force.w <= 0.0f) return;
+    const float distance = length(to.x - ship.x, to.y - ship.y);
+    const bool weak = rules.energy <= r.ship.weakEnergy;
+    uint32_t fate = 0;
+    if (m.blast && (from.id == m.blastId || (weak && distance <= r.ship.blast_m))) fate = kFlagBlasted;
+    if (fate == 0 && m.flushRadius_m > 0.0f &&
+        length(to.x - m.flush_x, to.y - m.flush_y) <= m.flushRadius_m + rules.halfWidth_m) {
+      fate = kFlagFlushed;
+    }
+    if (fate != 0) {
+      force.w = 0.0f;
+      v.nextForceEnergy[from.id] = force;
+      v.state[from.id].w |= kFlagHit | fate;
+      return;
+    }
+    if (ship.untouchable_ticks > 0) return;
+    const float t = sweepBody(ship.previous_x - from.x, ship.previous_y - from.y,
+                              (ship.x - ship.previous_x) - (to.x - from.x),
+                              (ship.y - ship.previous_y) - (to.y - from.y), r.ship.radius_m, rules);
+    if (t <= 1.0f) atomicRaiseTo(v.master->totals.contact, uint64_t(rules.contact_us) << 32 | (~from.id & 0xFFFFFFFFu));
+  }
+
+  // The push that takes overlapping bodies apart: each pair shares its depth by mass, half of it per tick.
+  GW_BODY Float2 separation(const Cell& from, const Cell& to) const {
+    const Rules& r = v.tables->rules;
+    const EnemyRules& own = r.enemies[from.type];
+    const float mass = v.nextDirectionMass[from.id].z;
+    const float reach = reachOf(own) + v.tables->limits.largestReach_m + 2.0f * enemyStep_m(v) + kMargin_m;
+    FixedSum2 sum;
+    search(from.x, from.y, reach, [&](const Cell& other, uint32_t place, float, float) {
+      if (other.id == from.id || !isEnemy(other.type)) return;
+      const Cell end = v.moved[place];
+      const Float2 deep = overlap(own, r.enemies[other.type], to.x - end.x, to.y - end.y,
+                                  from.id < other.id ? 1.0f : -1.0f);
+      if (deep.x == 0.0f && deep.y == 0.0f) return;
+      if (v.state[other.id].x == uint32_t(State::dead)) return;
+      const float otherMass = v.nextDirectionMass[other.id].z;
+      const float share = otherMass / (mass + otherMass) * (0.5f * float(kTicksPerSecond));
+      sum.add(deep.x * share, deep.y * share, kPushScale);
+    });
+    const Float2 push = sum.total(kPushScale);
+    const float speed = length(push.x, push.y), most = r.steering.separation_mps;
+    if (speed <= most) return push;
+    return {push.x * (most / speed), push.y * (most / speed)};
+  }
+};
+
+// One item: one cell; works for shots.
+struct FinishShots {
+  View v;
+
+  GW_BODY void operator()(uint32_t i) const {
+    const Cell to = v.moved[i];
+    if (to.type != kTypeShot || v.master->over) return;
+    const uint32_t victim = v.choice[to.id];
+    if (victim == kNobody) return;
+    const Cell from = v.cells[i];
+    const float t = v.choiceTime[to.id];
+    Cell end = {from.x + (to.x - from.x) * t + 0.0f, from.y + (to.y - from.y) * t + 0.0f, to.id, to.type};
+    if (v.spent[to.id]) {
+      Uint4 state = v.state[to.id];
+      state.z -= 1;
+      state.w = v.target[to.id];
+      v.state[to.id] = state;
+      v.target[to.id] = victim;
+      if (state.z == 0) end = {kInfinity, kInfinity, to.id, kTypeNone};
+    }
+    v.moved[i] = end;
+  }
+};
+
+}  // namespace
+
+void collide(Queue& queue, const View& view) {
+  const Count all{view.capacity};
+  forEach(queue, all, ClearChoices{view});
+  withSearch(view, [&](auto search) {
+    forEach(queue, all, ChooseVictims<decltype(search)>{view, search});
+    forEach(queue, all, Suffer<decltype(search)>{view, search});
+  });
+  forEach(queue, all, FinishShots{view});
+}
+
+}  // namespace gw::GW_DEVICE

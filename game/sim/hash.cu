@@ -1,0 +1,118 @@
+// Hash: every simulated field of every living entity and of the master, summed so that neither the NGrid's
+// arrangement nor the order of visits is felt; then the report, which is all the host gets to see.
+#include "game/sim/stages.h"
+#include "gpu/bits.h"
+#include "gpu/state_hash.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+GW_FN uint64_t pair(float a, float b) { return uint64_t(bitsOf(a)) << 32 | bitsOf(b); }
+GW_FN uint64_t pair(uint32_t a, uint32_t b) { return uint64_t(a) << 32 | b; }
+
+// One item: one cell.
+struct HashEntities {
+  View v;
+
+  GW_BODY void operator()(uint32_t i) const {
+    const Cell cell = v.moved[i];
+    if (cell.type == kTypeNone) {
+      v.hashes[i] = 0;
+      return;
+    }
+    const uint32_t id = cell.id;
+    const Float4 motion = v.velocityPrevious[id], force = v.nextForceEnergy[id], direction = v.nextDirectionMass[id];
+    const Uint4 state = v.state[id];
+    const Float2 push = v.push[id];
+    const uint64_t words[] = {pair(cell.type, v.birthTick[id]),  pair(cell.x, cell.y),
+                              pair(motion.x, motion.y),          pair(motion.z, motion.w),
+                              pair(force.x, force.y),            pair(force.w, direction.z),
+                              pair(direction.x, direction.y),    pair(push.x, push.y),
+                              pair(state.x, state.y),            pair(state.z, state.w),
+                              uint64_t(v.target[id])};
+    uint64_t sum = 0;
+    for (uint32_t field = 0; field < sizeof words / sizeof words[0]; ++field) sum += hashWord(id, field, words[field]);
+    v.hashes[i] = sum;
+  }
+};
+
+// One item in all.
+struct Report {
+  View v;
+
+  GW_BODY void operator()(uint32_t) const {
+    const Master& m = *v.master;
+    TickScratch& s = *v.scratch;
+    TickReport report;
+    report.tick = m.tick;
+    report.over = m.over;
+    report.hash = s.entityHash + masterHash(m);
+    report.input = s.input;
+    report.ship_x = m.ship.x;
+    report.ship_y = m.ship.y;
+    report.shipPrevious_x = m.ship.previous_x;
+    report.shipPrevious_y = m.ship.previous_y;
+    report.aim_rad = m.ship.aim_rad;
+    report.score = m.score;
+    report.kills = m.kills;
+    report.multiplierTenths = m.multiplierTenths;
+    report.frameTime_us = m.frameTime_us;
+    report.bank_us = m.bank_us;
+    report.flushes = m.flushes;
+    report.flush_x = m.flush_x;
+    report.flush_y = m.flush_y;
+    report.flushRadius_m = m.flushRadius_m;
+    report.untouchable_ticks = m.ship.untouchable_ticks;
+    report.wave = m.wave + m.endless;
+    for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) {
+      report.enemies += m.totals.occupied[t];
+      report.killsByType[t] = m.killsByType[t];
+    }
+    report.enemies -= m.totals.dying;
+    report.shots = m.totals.occupied[kTypeShot];
+    report.bits = m.totals.occupied[kTypeBit];
+    report.enemiesInView = m.totals.inView;
+    report.peakEnemies = larger(m.peakEnemies, report.enemies);
+    report.refused = m.refused;
+    report.bitsTaken = m.bitsTaken;
+    report.contacts = m.contacts;
+    report.contactType = s.contactType;
+    report.contactCost_us = s.contactCost_us;
+    report.transitions = m.totals.transitions;
+    sounds(report, m.totals, s);
+    v.reports[s.sequence % Simulation::kTicksInFlight] = report;
+    ++s.sequence;
+  }
+
+ private:
+  GW_BODY static uint64_t masterHash(const Master& m) {
+    const uint32_t* words = reinterpret_cast<const uint32_t*>(&m);
+    uint64_t sum = 0;
+    for (uint32_t w = 0; w < sizeof(Master) / 4; w += 2) sum += hashWord(kNobody, w, pair(words[w], words[w + 1]));
+    return sum;
+  }
+
+  GW_BODY static void sounds(TickReport& report, const Totals& totals, const TickScratch& s) {
+    constexpr uint32_t kMiddle = 1;
+    const auto put = [&](SoundEvent event, uint32_t pan, uint32_t count) {
+      report.sounds[uint32_t(event)][pan] = uint16_t(smaller(count, 65535u));
+    };
+    put(SoundEvent::shot, kMiddle, s.shotSounds);
+    put(SoundEvent::contact, kMiddle, s.contactSounds);
+    put(SoundEvent::bit, kMiddle, totals.bitsTaken);
+    put(SoundEvent::wave, kMiddle, s.waveSounds);
+    put(SoundEvent::flush, kMiddle, s.flushSounds);
+    put(SoundEvent::over, kMiddle, s.overSounds);
+    for (uint32_t pan = 0; pan < kPans; ++pan) put(SoundEvent::kill, pan, totals.killSounds[pan]);
+  }
+};
+
+}  // namespace
+
+void hash(Queue& queue, const View& view, Reduce& sum) {
+  forEach(queue, Count{view.capacity}, HashEntities{view});
+  sum.run(queue, view.hashes, &view.scratch->entityHash);
+  forEach(queue, Count{1}, Report{view});
+}
+
+}  // namespace gw::GW_DEVICE

@@ -1,0 +1,222 @@
+// Logic: the master thread. One item, O(1): it never loops over entities, only over rules and commands.
+#include "game/sim/spawn_patterns.h"
+#include "game/sim/stages.h"
+#include "gpu/exact_math.h"
+#include "gpu/philox.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+constexpr float kMuzzle_m = 0.55f;       // from the ship's middle to where shots are born
+
+struct MasterThread {
+  View v;
+
+  GW_BODY void operator()(uint32_t) const {
+    Master& m = *v.master;
+    TickScratch& s = *v.scratch;
+    const Rules& r = v.tables->rules;
+    s.commandCount = s.births = 0;
+    s.shotSounds = s.waveSounds = s.flushSounds = s.overSounds = s.contactSounds = 0;
+    s.contactType = kTypeNone;
+    s.contactCost_us = 0;
+    if (m.over) return;
+
+    ++m.tick;
+    const Totals last = m.totals;
+    count(m, r, last);
+    suffer(m, s, r, last);
+    if (m.frameTime_us > r.budget.limit_us) {
+      m.over = 1;
+      m.totals.contact = 0;
+      s.overSounds = 1;
+      return;
+    }
+    m.totals = Totals{};
+    s.bitRoom = kBitCapacity - smaller(kBitCapacity, last.occupied[kTypeBit]);
+    fly(m, r, s.input);
+    fire(m, s, r, s.input, last);
+    flush(m, s, r, s.input);
+    waves(m, s, r, last);
+    m.ship.buttons = s.input.buttons;
+  }
+
+  // What died and what was collected in the last tick.
+  GW_BODY void count(Master& m, const Rules& r, const Totals& last) const {
+    uint64_t points = 0, bare = 0;
+    uint32_t enemies = 0;
+    for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) {
+      points += uint64_t(last.kills[t]) * r.enemies[t].value;
+      bare += uint64_t(last.bareKills[t]) * r.enemies[t].value;
+      m.killsByType[t] += last.kills[t] + last.bareKills[t];
+      m.kills += last.kills[t] + last.bareKills[t];
+      enemies += last.occupied[t];
+    }
+    m.score += points * m.multiplierTenths / 10 + bare;
+    m.multiplierTenths += last.bitsTaken * r.bit.multiplierTenths;
+    m.bitsTaken += last.bitsTaken;
+    m.refused += last.refusedBits;
+    m.peakEnemies = larger(m.peakEnemies, enemies - last.dying);
+    while (m.flushScores < r.flush.scoreCount && m.score >= r.flush.scores[m.flushScores]) {
+      ++m.flushScores;
+      if (m.flushes < r.flush.most) ++m.flushes;
+    }
+    // Bits give time back, out of a bank that fills slowly: a horde of bits is no way to live for ever.
+    m.bank_us = smaller(m.bank_us + r.budget.bankFill_us, r.budget.bankMax_us);
+    uint32_t back = smaller(last.bitsTaken * r.budget.bitReturns_us, m.bank_us);
+    back = smaller(back, m.frameTime_us - smaller(m.frameTime_us, r.budget.start_us));
+    m.bank_us -= back;
+    m.frameTime_us -= back;
+  }
+
+  // One contact a tick, the costliest, then the lowest id.
+  GW_BODY void suffer(Master& m, TickScratch& s, const Rules& r, const Totals& last) const {
+    m.blast = 0;
+    m.blastId = kNobody;
+    if (m.ship.untouchable_ticks > 0) --m.ship.untouchable_ticks;
+    if (last.contact == 0) return;
+    const uint32_t cost = uint32_t(last.contact >> 32), who = ~uint32_t(last.contact);
+    m.frameTime_us += cost;
+    m.ship.untouchable_ticks = r.ship.untouchable_ticks;
+    m.blast = 1;
+    m.blastId = who;
+    ++m.contacts;
+    s.contactSounds = 1;
+    s.contactType = v.cells[v.cellOf[who]].type;
+    s.contactCost_us = cost;
+  }
+
+  GW_BODY void fly(Master& m, const Rules& r, InputRecord input) const {
+    Ship& ship = m.ship;
+    float wish_x = float(input.move_x) / float(kStickFull), wish_y = float(input.move_y) / float(kStickFull);
+    const float l = length(wish_x, wish_y);
+    if (l > 1.0f) {
+      wish_x = wish_x / l;
+      wish_y = wish_y / l;
+    }
+    ship.velocity_x += (wish_x * r.ship.speed_mps - ship.velocity_x) * r.ship.response;
+    ship.velocity_y += (wish_y * r.ship.speed_mps - ship.velocity_y) * r.ship.response;
+    ship.previous_x = ship.x;
+    ship.previous_y = ship.y;
+    ship.x += ship.velocity_x * kTick_s;
+    ship.y += ship.velocity_y * kTick_s;
+    const float right = v.tables->limits.width_m - r.ship.radius_m, top = v.tables->limits.height_m - r.ship.radius_m;
+    if (ship.x < r.ship.radius_m || ship.x > right) ship.velocity_x = 0.0f;
+    if (ship.y < r.ship.radius_m || ship.y > top) ship.velocity_y = 0.0f;
+    ship.x = clamp(ship.x, r.ship.radius_m, right);
+    ship.y = clamp(ship.y, r.ship.radius_m, top);
+    ship.aim_rad = float(input.aim) * (kTwoPi / 65536.0f);
+  }
+
+  GW_BODY void fire(Master& m, TickScratch& s, const Rules& r, InputRecord input, const Totals& last) const {
+    if (m.ship.fire_ticks > 0) --m.ship.fire_ticks;
+    if (!(input.buttons & kButtonFire) || m.ship.fire_ticks > 0) return;
+    uint32_t level = 0;
+    while (level + 1 < r.shot.levelCount && m.multiplierTenths >= r.shot.levels[level + 1].fromTenths) ++level;
+    const ShotLevel& shot = r.shot.levels[level];
+    m.ship.fire_ticks = shot.every_ticks;
+    s.shotSounds = 1;
+    const SineCosine aim = sineCosine(m.ship.aim_rad);
+    Command salvo;
+    salvo.type = kTypeShot;
+    salvo.count = shot.count;
+    salvo.x = m.ship.x + aim.cosine * kMuzzle_m;
+    salvo.y = m.ship.y + aim.sine * kMuzzle_m;
+    salvo.angle_rad = m.ship.aim_rad;
+    salvo.spread_rad = shot.spread_rad;
+    salvo.hits = shot.hits;
+    order(m, s, salvo, kShotCapacity - smaller(kShotCapacity, last.occupied[kTypeShot]));
+  }
+
+  // The ring of the flush; what it meets is collide's work.
+  GW_BODY void flush(Master& m, TickScratch& s, const Rules& r, InputRecord input) const {
+    if (m.flushRadius_m > 0.0f) {
+      m.flushRadius_m += r.flush.speed_mps * kTick_s;
+      if (m.flushRadius_m > r.flush.reach_m) m.flushRadius_m = 0.0f;
+    }
+    const bool pressed = (input.buttons & kButtonFlush) && !(m.ship.buttons & kButtonFlush);
+    if (!pressed || m.flushes == 0 || m.flushRadius_m > 0.0f) return;
+    --m.flushes;
+    m.flush_x = m.ship.x;
+    m.flush_y = m.ship.y;
+    m.flushRadius_m = r.flush.speed_mps * kTick_s;
+    m.ship.untouchable_ticks = larger(m.ship.untouchable_ticks, r.flush.untouchable_ticks);
+    s.flushSounds = 1;
+  }
+
+  GW_BODY void waves(Master& m, TickScratch& s, const Rules& r, const Totals& last) const {
+    uint32_t alive = 0;
+    for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) alive += last.occupied[t];
+    uint32_t room = v.tables->limits.enemies - smaller(v.tables->limits.enemies, alive);
+
+    const uint32_t next_ticks = m.wave < r.waveCount ? r.waves[m.wave].at_ticks
+                                                     : r.endless.from_ticks + m.endless * r.endless.every_ticks;
+    // Nobody waits: an empty field brings the next wave early, and pays for the time saved.
+    const bool quiet = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming == 0;
+    m.idle_ticks = quiet ? m.idle_ticks + 1 : 0;
+    if (m.idle_ticks >= r.idle.wait_ticks && next_ticks > m.waveClock_ticks) {
+      m.score += uint64_t(r.idle.pays) * m.multiplierTenths * (next_ticks - m.waveClock_ticks) / (10 * kTicksPerSecond);
+      m.waveClock_ticks = next_ticks;
+      m.idle_ticks = 0;
+    }
+    if (m.waveClock_ticks >= next_ticks) {
+      if (m.wave < r.waveCount) {
+        const Wave& wave = r.waves[m.wave++];
+        for (uint32_t g = 0; g < wave.groupCount; ++g) {
+          group(m, s, wave.groups[g].type, wave.groups[g].count, wave.groups[g].pattern, room);
+        }
+      } else {
+        endlessWave(m, s, r, room);
+      }
+      s.waveSounds = 1;
+    }
+    ++m.waveClock_ticks;
+  }
+
+  GW_BODY void endlessWave(Master& m, TickScratch& s, const Rules& r, uint32_t& room) const {
+    const uint32_t groups = m.endless % 3 + 1;
+    ++m.endless;
+    uint32_t chances = 0;
+    for (uint32_t t = 0; t < r.enemyTypeCount; ++t) chances += r.endless.chance_percent[t];
+    for (uint32_t g = 0; g < groups; ++g) {
+      const Uint4 dice = philox(m.seed, {m.tick, g, kPurposeEndless, 0});
+      uint32_t pick = chances ? dice.x % chances : 0, type = 0;
+      while (type + 1 < r.enemyTypeCount && pick >= r.endless.chance_percent[type]) {
+        pick -= r.endless.chance_percent[type++];
+      }
+      const float count = clamp(m.endlessPoints / (float(groups) * r.endless.price[type]), 1.0f, 1.0e6f);
+      group(m, s, type, uint32_t(count), Pattern(dice.y % uint32_t(Pattern::count)), room);
+    }
+    m.endlessPoints = smaller(m.endlessPoints * r.endless.growth, 1.0e6f);
+  }
+
+  GW_BODY void group(Master& m, TickScratch& s, uint32_t type, uint32_t count, Pattern pattern, uint32_t& room) const {
+    Command born;
+    born.type = type;
+    born.count = count;
+    born.pattern = pattern;
+    born.x = m.ship.x;
+    born.y = m.ship.y;
+    born.angle_rad =
+        unitFloat(philox(m.seed, {m.tick, s.commandCount, kPurposeCommand, 0}).x) * kTwoPi;
+    room -= order(m, s, born, room);
+  }
+
+  // Appends the command, cut to what fits; the rest is counted as refused. Returns how many were accepted.
+  GW_BODY uint32_t order(Master& m, TickScratch& s, Command command, uint32_t room) const {
+    const uint32_t accepted = s.commandCount < kMaxCommands ? smaller(command.count, room) : 0;
+    m.refused += command.count - accepted;
+    if (accepted == 0) return 0;
+    command.count = accepted;
+    command.firstBirth = s.births;
+    s.births += accepted;
+    s.commands[s.commandCount++] = command;
+    return accepted;
+  }
+};
+
+}  // namespace
+
+void logic(Queue& queue, const View& view) { forEach(queue, Count{1}, MasterThread{view}); }
+
+}  // namespace gw::GW_DEVICE

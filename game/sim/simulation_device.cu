@@ -1,0 +1,107 @@
+// The simulation of one device: queues ticks, reads reports, takes and restores snapshots.
+#include <cstring>
+#include <stdexcept>
+
+#include "game/sim/candidates.h"
+#include "game/sim/draw_list.h"
+#include "game/sim/simulation.h"
+#include "game/sim/snapshot.h"
+#include "game/sim/step.h"
+#include "gpu/tick_graph.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+class DeviceSimulation final : public Simulation {
+ public:
+  explicit DeviceSimulation(const SimulationConfig& config)
+      : config_(config),
+        queue_({config.threads, config.order, config.protectMemory, config.blockSize}),
+        state_(queue_, config),
+        drawList_(queue_, state_.limits().capacity),
+        candidates_(queue_, state_.limits().capacity) {
+    for (uint32_t parity = 0; parity < 2; ++parity) {
+      graphs_[parity] = TickGraph(
+          queue_, [this, parity] { step(queue_, state_, parity, config_.autopilot, timer_); });
+    }
+  }
+
+  void tick(const InputRecord& input) override {
+    if (launched_ - read_ >= kTicksInFlight) {
+      throw std::logic_error("Too many ticks are queued: read a report first.");
+    }
+    state_.inputs.upload(&input, 1, launched_ % kTicksInFlight);
+    const uint32_t parity = launched_ % 2;
+    if (timing_) {
+      step(queue_, state_, parity, config_.autopilot, timer_);
+    } else {
+      graphs_[parity].replay(queue_);
+    }
+    ++launched_;
+  }
+
+  TickReport report() override {
+    if (read_ == launched_) throw std::logic_error("No tick is queued: there is nothing to report.");
+    TickReport report;
+    state_.reports.download(&report, 1, read_ % kTicksInFlight);
+    ++read_;
+    return report;
+  }
+
+  Snapshot snapshot() override { return takeSnapshot(state_, next()); }
+
+  void restore(const Snapshot& snapshot) override { restoreSnapshot(queue_, state_, next(), snapshot); }
+
+  void drawList(const DrawView& view, const DrawTarget& target) override {
+    drawList_.run(queue_, next(), view, target);
+  }
+
+  CandidateCount countCandidates() override { return candidates_.run(queue_, next()); }
+
+  void enableStageTimes(bool on) override {
+    timing_ = on;
+    timer_.enable(on);
+  }
+
+  std::vector<StageTime> stageTimes() const override {
+    std::vector<StageTime> times;
+    for (const auto& stage : timer_.stages()) times.push_back({stage.name, stage.total_ms, stage.calls});
+    return times;
+  }
+
+  uint32_t capacity() const override { return state_.limits().capacity; }
+  float worldWidth_m() const override { return state_.limits().width_m; }
+  float worldHeight_m() const override { return state_.limits().height_m; }
+
+#if GW_ON_CUDA
+  std::string deviceName() const override { return "cuda"; }
+  void park() override {}
+#else
+  std::string deviceName() const override {
+    return "cpu, " + std::to_string(queue_.pool.threads()) + (queue_.pool.threads() == 1 ? " thread" : " threads");
+  }
+  void park() override { queue_.pool.park(); }
+#endif
+
+ private:
+  // What the next tick will see: its cells are where the last tick ended.
+  View next() const { return state_.view(launched_ % 2); }
+
+  SimulationConfig config_;
+  Queue queue_;
+  GameState state_;
+  StageTimer timer_;
+  DrawList drawList_;
+  Candidates candidates_;
+  TickGraph graphs_[2];
+  uint32_t launched_ = 0, read_ = 0;
+  bool timing_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> makeSimulation(const SimulationConfig& config) {
+  return std::make_unique<DeviceSimulation>(config);
+}
+
+}  // namespace gw::GW_DEVICE

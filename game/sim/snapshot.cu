@@ -1,0 +1,111 @@
+#include "game/sim/snapshot.h"
+
+#include <cstring>
+#include <stdexcept>
+
+namespace gw::GW_DEVICE {
+namespace {
+
+// One item: one id, whose cell of the next tick's start is put where the NGrid has just placed it.
+struct PlaceById {
+  Cell* cells;
+  const uint32_t* cellOf;
+  const Cell* byId;
+  GW_BODY void operator()(uint32_t id) const { cells[cellOf[id]] = byId[id]; }
+};
+
+template <class T>
+std::vector<T> fetch(const Buffer<T>& buffer) {
+  return buffer.download();
+}
+
+// Which of two alternating buffers the next tick reads.
+template <class T>
+const Buffer<T>& front(const Buffer<T> (&sides)[2], const T* data) {
+  return sides[0].data() == data ? sides[0] : sides[1];
+}
+
+void checkSnapshot(const Snapshot& snapshot, uint32_t capacity) {
+  if (snapshot.master.size() != sizeof(Master)) {
+    throw std::invalid_argument("The snapshot was made by another version of the game; take a new one.");
+  }
+  for (size_t i = 0; i < snapshot.entities.size(); ++i) {
+    const EntityRecord& e = snapshot.entities[i];
+    if (e.id >= capacity || (i > 0 && e.id <= snapshot.entities[i - 1].id)) {
+      throw std::invalid_argument("The snapshot's entities do not fit; restore it with the capacity it was taken with.");
+    }
+    if (e.type >= kTypeCount) throw std::invalid_argument("The snapshot holds an entity of no known type.");
+  }
+}
+
+}  // namespace
+
+Snapshot takeSnapshot(const GameState& state, const View& next) {
+  Snapshot snapshot;
+  snapshot.master.resize(sizeof(Master));
+  Master master;
+  state.master.download(&master, 1);
+  std::memcpy(snapshot.master.data(), &master, sizeof master);
+
+  const auto cells = fetch(front(state.cells, next.cells));
+  const auto cellOf = fetch(state.cellOf);
+  const auto force = fetch(front(state.forceEnergy, next.forceEnergy));
+  const auto direction = fetch(front(state.directionMass, next.directionMass));
+  const auto motion = fetch(state.velocityPrevious);
+  const auto machine = fetch(state.state);
+  const auto push = fetch(state.push);
+  const auto birth = fetch(state.birthTick), target = fetch(state.target);
+  for (uint32_t id = 0; id < next.capacity; ++id) {
+    const Cell& cell = cells[cellOf[id]];
+    if (cell.type == kTypeNone) continue;
+    snapshot.entities.push_back({id, cell.type, cell.x, cell.y, motion[id].z, motion[id].w, motion[id].x, motion[id].y,
+                                 force[id].x, force[id].y, force[id].w, direction[id].z, direction[id].x,
+                                 direction[id].y, push[id].x, push[id].y, machine[id].x, machine[id].y, machine[id].z,
+                                 machine[id].w, birth[id], target[id]});
+  }
+  return snapshot;
+}
+
+void restoreSnapshot(Queue& queue, GameState& state, const View& next, const Snapshot& snapshot) {
+  checkSnapshot(snapshot, next.capacity);
+  const uint32_t n = next.capacity;
+  std::vector<Cell> now(n), before(n);
+  std::vector<Float4> force(n), direction(n), motion(n);
+  std::vector<Uint4> machine(n);
+  std::vector<Float2> push(n);
+  std::vector<uint32_t> birth(n), target(n);
+  for (uint32_t id = 0; id < n; ++id) now[id] = before[id] = {kInfinity, kInfinity, id, kTypeNone};
+  for (const EntityRecord& e : snapshot.entities) {
+    now[e.id] = {e.x, e.y, e.id, e.type};
+    before[e.id] = {e.previous_x, e.previous_y, e.id, e.type};
+    force[e.id] = {e.force_x, e.force_y, 0.0f, e.energy};
+    direction[e.id] = {e.direction_x, e.direction_y, e.mass, 0.0f};
+    motion[e.id] = {e.velocity_x, e.velocity_y, e.previous_x, e.previous_y};
+    machine[e.id] = {e.state, e.timer, e.cooldown, e.flags};
+    push[e.id] = {e.push_x, e.push_y};
+    birth[e.id] = e.birthTick;
+    target[e.id] = e.target;
+  }
+  const int side = state.cells[0].data() == next.cells ? 0 : 1;
+  Master master;
+  std::memcpy(&master, snapshot.master.data(), sizeof master);
+  state.master.upload(&master, 1);
+  state.forceEnergy[side].upload(force);
+  state.directionMass[side].upload(direction);
+  state.velocityPrevious.upload(motion);
+  state.state.upload(machine);
+  state.push.upload(push);
+  state.birthTick.upload(birth);
+  state.target.upload(target);
+
+  // The NGrid is built over the start of the last tick, as maintain left it; the end of that tick then
+  // stands in the same arrangement.
+  Buffer<Cell> byId(queue, n);
+  byId.upload(now);
+  state.cells[1 - side].upload(before);
+  state.grid().rebuild(queue, state.cells[1 - side].data(), state.cellOf.data());
+  forEach(queue, Count{n}, PlaceById{state.cells[side].data(), state.cellOf.data(), byId.data()});
+  queue.synchronise();
+}
+
+}  // namespace gw::GW_DEVICE

@@ -1,0 +1,142 @@
+// Spawn: births take the lowest free ids, commands first and in order, then the bits of what died in the
+// last tick by parent id. Free ids are ranked by a scan over ids, never over cells, so that the NGrid's
+// arrangement cannot be felt. What died leaves its cell here.
+#include "game/sim/entity_flags.h"
+#include "game/sim/spawn_patterns.h"
+#include "game/sim/stages.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+constexpr float kAbreast_m = 0.32f;  // between shots that fly side by side
+
+// One item: one id. Is it free, and how many does it give birth to?
+struct CountBirths {
+  View v;
+
+  GW_BODY void operator()(uint32_t id) const {
+    const uint32_t type = v.cells[v.cellOf[id]].type;
+    uint64_t births = 0;
+    if (isEnemy(type)) {
+      const Uint4 state = v.state[id];
+      const bool scored = (state.w & (kFlagFlushed | kFlagBlasted)) == 0;
+      if (state.x == uint32_t(State::dead) && scored) births = v.tables->rules.enemies[type].bits;
+    }
+    v.births[id] = births << 32 | (type == kTypeNone ? 1u : 0u);
+  }
+};
+
+// One item: one id, which is freed, filled or left alone.
+struct FillIds {
+  View v;
+
+  GW_BODY void operator()(uint32_t id) const {
+    const Master& m = *v.master;
+    if (m.over) return;
+    const TickScratch& s = *v.scratch;
+    const uint32_t cell = v.cellOf[id], type = v.cells[cell].type;
+    if (id == 0) countRefused();
+    if (isEnemy(type) && v.state[id].x == uint32_t(State::dead)) {
+      v.cells[cell] = {kInfinity, kInfinity, id, kTypeNone};
+      return;
+    }
+    if (type != kTypeNone) return;
+    const uint32_t rank = uint32_t(v.birthScan.before(id));
+    if (rank < s.births) {
+      const uint32_t command = commandOf(rank);
+      const Command& c = s.commands[command];
+      if (c.type == kTypeShot) {
+        bearShot(id, cell, c, rank - c.firstBirth);
+      } else {
+        bearEnemy(id, cell, c, command, rank - c.firstBirth);
+      }
+    } else if (rank - s.births < ownBirths()) {
+      bearBit(id, cell, rank - s.births);
+    }
+  }
+
+ private:
+  // Bits that are born: those that fit.
+  GW_BODY uint32_t ownBirths() const {
+    const uint32_t wanted = uint32_t(v.birthScan.total() >> 32), fits = v.scratch->bitRoom;
+    return wanted < fits ? wanted : fits;
+  }
+
+  GW_BODY void countRefused() const {
+    const uint32_t wanted = uint32_t(v.birthScan.total() >> 32);
+    v.master->refused += wanted - ownBirths();
+  }
+
+  GW_BODY uint32_t commandOf(uint32_t birth) const {
+    uint32_t command = 0;
+    while (command + 1 < v.scratch->commandCount && v.scratch->commands[command + 1].firstBirth <= birth) ++command;
+    return command;
+  }
+
+  // The parent of own birth k: the last id with at most k births before it.
+  GW_BODY uint32_t parentOf(uint32_t k) const {
+    uint32_t begin = 0, count = v.capacity;
+    while (count > 1) {
+      const uint32_t half = count / 2;
+      if (uint32_t(v.birthScan.before(begin + half) >> 32) <= k) {
+        begin += half;
+        count -= half;
+      } else {
+        count = half;
+      }
+    }
+    return begin;
+  }
+
+  GW_BODY void bear(uint32_t id, uint32_t cell, uint32_t type, Float2 place, Float2 velocity, Float2 direction,
+                    float energy, float mass, Uint4 state) const {
+    v.cells[cell] = {place.x + 0.0f, place.y + 0.0f, id, type};
+    v.forceEnergy[id] = {0.0f, 0.0f, 0.0f, energy};
+    v.directionMass[id] = {direction.x, direction.y, mass, 0.0f};
+    v.velocityPrevious[id] = {velocity.x, velocity.y, place.x + 0.0f, place.y + 0.0f};
+    v.state[id] = state;
+    v.push[id] = {0.0f, 0.0f};
+    v.birthTick[id] = v.master->tick;
+    v.target[id] = kNobody;
+  }
+
+  GW_BODY void bearShot(uint32_t id, uint32_t cell, const Command& c, uint32_t k) const {
+    const Rules::Shot& shot = v.tables->rules.shot;
+    const float middle = float(k) - 0.5f * float(c.count - 1);
+    const SineCosine aim = sineCosine(c.angle_rad + middle * c.spread_rad);
+    const float abreast = c.spread_rad > 0.0f ? 0.0f : middle * kAbreast_m;
+    const Float2 place = {c.x - aim.sine * abreast, c.y + aim.cosine * abreast};
+    bear(id, cell, kTypeShot, place, {aim.cosine * shot.speed_mps, aim.sine * shot.speed_mps},
+         {aim.cosine, aim.sine}, shot.damage, 0.0f, {0, shot.life_ticks, c.hits, kNobody});
+  }
+
+  GW_BODY void bearEnemy(uint32_t id, uint32_t cell, const Command& c, uint32_t command, uint32_t k) const {
+    const Master& m = *v.master;
+    const EnemyRules& rules = v.tables->rules.enemies[c.type];
+    const Float2 place = birthPlace(c, k, m.seed, m.tick, command, *v.tables);
+    const Float2 toShip = normalised(m.ship.x - place.x, m.ship.y - place.y);
+    bear(id, cell, c.type, place, {0.0f, 0.0f}, toShip, rules.energy, rules.mass,
+         {uint32_t(State::wandering), 0, 0, 0});
+  }
+
+  GW_BODY void bearBit(uint32_t id, uint32_t cell, uint32_t k) const {
+    const Master& m = *v.master;
+    const Float4 parent = v.velocityPrevious[parentOf(k)];
+    const Uint4 dice = philox(m.seed, {m.tick, k, kPurposeScatter, 0});
+    const SineCosine way = sineCosine(unitFloat(dice.x) * kTwoPi);
+    const float speed = 2.0f + 4.0f * unitFloat(dice.y);
+    bear(id, cell, kTypeBit, {parent.z, parent.w}, {way.cosine * speed, way.sine * speed}, {way.cosine, way.sine},
+         1.0f, 0.0f, {0, v.tables->rules.bit.life_ticks, 0, 0});
+  }
+};
+
+}  // namespace
+
+void spawn(Queue& queue, const View& view, Scan& scan) {
+  const Count ids{view.capacity};
+  forEach(queue, ids, CountBirths{view});
+  scan.run(queue, view.births);
+  forEach(queue, ids, FillIds{view});
+}
+
+}  // namespace gw::GW_DEVICE

@@ -1,0 +1,120 @@
+#include "game/sim/state.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace gw::GW_DEVICE {
+namespace {
+
+// Speed that integrate never exceeds. Broad-phase radii of collide are widened by it, so raising it makes
+// every gather there wider; lowering it clips knock-back.
+constexpr float kFastestEnemy_mps = 24.0f;
+
+Limits limitsOf(const SimulationConfig& config) {
+  Limits limits{};
+  const float scale = config.enemies > 8192 ? std::sqrt(float(config.enemies) / 8192.0f) : 1.0f;
+  limits.width_m = config.rules.world.width_m * scale;
+  limits.height_m = config.rules.world.height_m * scale;
+  for (uint32_t t = 0; t < config.rules.enemyTypeCount; ++t) {
+    limits.largestReach_m = larger(limits.largestReach_m, reachOf(config.rules.enemies[t]));
+  }
+  limits.fastestEnemy_mps = kFastestEnemy_mps;
+  limits.enemies = config.enemies;
+  limits.capacity = chooseDimensions(config.enemies + kShotCapacity + kBitCapacity).cells();
+  return limits;
+}
+
+}  // namespace
+
+GameState::GameState(Queue& queue, const SimulationConfig& config)
+    : limits_(limitsOf(config)), broadPhase_(config.broadPhase) {
+  const uint32_t n = limits_.capacity;
+  grid_ = NGrid(queue, chooseDimensions(config.enemies + kShotCapacity + kBitCapacity));
+  birthScan_ = Scan(queue, n);
+  hashSum_ = Reduce(queue, n);
+  tables = Buffer<Tables>(queue, 1);
+  master = Buffer<Master>(queue, 1);
+  scratch = Buffer<TickScratch>(queue, 1);
+  inputs = Buffer<InputRecord>(queue, Simulation::kTicksInFlight);
+  reports = Buffer<TickReport>(queue, Simulation::kTicksInFlight);
+  botHeld = Buffer<InputRecord>(queue, 1);
+  cellOf = Buffer<uint32_t>(queue, n);
+  velocityPrevious = Buffer<Float4>(queue, n);
+  state = Buffer<Uint4>(queue, n);
+  push = Buffer<Float2>(queue, n);
+  choiceTime = Buffer<float>(queue, n);
+  for (auto* words : {&birthTick, &target, &choice, &chosenBy, &spent, &event}) *words = Buffer<uint32_t>(queue, n);
+  for (auto* words : {&births, &hashes}) *words = Buffer<uint64_t>(queue, n);
+
+  std::vector<Cell> empty(n);
+  std::vector<uint32_t> own(n);
+  for (uint32_t i = 0; i < n; ++i) {
+    empty[i] = {kInfinity, kInfinity, i, kTypeNone};
+    own[i] = i;
+  }
+  for (int side = 0; side < 2; ++side) {
+    cells[side] = Buffer<Cell>(queue, n);
+    cells[side].upload(empty);
+    forceEnergy[side] = Buffer<Float4>(queue, n);
+    directionMass[side] = Buffer<Float4>(queue, n);
+  }
+  cellOf.upload(own);
+
+  Tables host;
+  std::memset(static_cast<void*>(&host), 0, sizeof host);
+  host.rules = config.rules;
+  host.limits = limits_;
+  host.machines[uint32_t(Machine::kamikaze)] = kKamikaze;
+  tables.upload(&host, 1);
+
+  Master start;
+  start.seed = config.seed;
+  start.ship.x = start.ship.previous_x = 0.5f * limits_.width_m;
+  start.ship.y = start.ship.previous_y = 0.5f * limits_.height_m;
+  start.frameTime_us = config.rules.budget.start_us;
+  start.flushes = config.rules.flush.start;
+  start.endlessPoints = config.rules.endless.points;
+  master.upload(&start, 1);
+
+  grid_.rebuild(queue, cells[0].data(), cellOf.data());
+  grid_.rebuild(queue, cells[1].data(), cellOf.data());
+  queue.synchronise();
+}
+
+View GameState::view(uint32_t parity) const {
+  const uint32_t front = parity % 2, back = 1 - front;
+  View v{};
+  v.tables = tables.data();
+  v.master = master.data();
+  v.scratch = scratch.data();
+  v.inputs = inputs.data();
+  v.reports = reports.data();
+  v.botHeld = botHeld.data();
+  v.cells = cells[front].data();
+  v.moved = cells[back].data();
+  v.cellOf = cellOf.data();
+  v.grid = grid_.view(v.cells);
+  v.seenGrid = grid_.view(v.moved);
+  v.forceEnergy = forceEnergy[front].data();
+  v.nextForceEnergy = forceEnergy[back].data();
+  v.directionMass = directionMass[front].data();
+  v.nextDirectionMass = directionMass[back].data();
+  v.velocityPrevious = velocityPrevious.data();
+  v.state = state.data();
+  v.push = push.data();
+  v.birthTick = birthTick.data();
+  v.target = target.data();
+  v.births = births.data();
+  v.birthScan = birthScan_.view();
+  v.choice = choice.data();
+  v.choiceTime = choiceTime.data();
+  v.chosenBy = chosenBy.data();
+  v.spent = spent.data();
+  v.event = event.data();
+  v.hashes = hashes.data();
+  v.capacity = limits_.capacity;
+  v.broadPhase = broadPhase_;
+  return v;
+}
+
+}  // namespace gw::GW_DEVICE

@@ -1,0 +1,123 @@
+// The game on a device: buffers, and the view of them that kernels get.
+//
+// Positions stand in cells (the NGrid); everything else is indexed by id and never moves. Two columns of
+// cells take turns: maintain sorts `cells`, which holds the start of the tick and is what gathers search;
+// integrate writes the end of the tick to `moved`, in the same arrangement. The thesis's two textures
+// (force + energy, direction + mass) take turns likewise: think reads the front, writes the back.
+#pragma once
+
+#include "game/sim/master.h"
+#include "game/sim/simulation.h"
+#include "game/sim/state_tables.h"
+#include "gpu/brute_force.h"
+#include "gpu/ngrid.h"
+#include "gpu/row_gather.h"
+#include "gpu/scan_reduce.h"
+
+namespace gw::GW_DEVICE {
+
+// The device's copy of all tables.
+struct Tables {
+  Rules rules;
+  Limits limits;
+  MachineTable machines[3];  // by Machine
+};
+
+struct View {
+  const Tables* tables;
+  Master* master;
+  TickScratch* scratch;
+  InputRecord* inputs;   // ring of kTicksInFlight, by tick
+  TickReport* reports;   // ring of kTicksInFlight, by tick
+  InputRecord* botHeld;  // the autopilot's last decision
+
+  Cell *cells, *moved;
+  uint32_t* cellOf;  // [id]
+  NGridView grid;    // over cells
+  NGridView seenGrid;  // over moved, before integrate overwrites it: last tick's start, what the bots see
+
+  // By id. Enemies, shots and bits use them as noted.
+  Float4 *forceEnergy, *nextForceEnergy;      // force x, y (N); 0; energy (a shot's damage)
+  Float4 *directionMass, *nextDirectionMass;  // unit vector; mass; 0
+  Float4* velocityPrevious;                   // velocity (m/s), place one tick ago (m)
+  Uint4* state;       // State; life left (shots, bits); hits left (shots); EnemyFlag, or a shot's victim before last
+  Float2* push;       // velocity that contact response adds in the next tick (m/s)
+  uint32_t* birthTick;
+  uint32_t* target;   // a shot's last victim, or kNobody
+
+  // By id, within one tick.
+  uint64_t* births;     // free ids (low half), own births (high half)
+  ScanView birthScan;
+  uint32_t* choice;     // the victim a shot picked, or kNobody
+  float* choiceTime;    // when in the tick it meets it, 0..1
+  uint32_t* chosenBy;   // how many shots picked this victim
+  uint32_t* spent;      // 1: the shot's hit was taken
+  uint32_t* event;      // EntityEvent bits
+  uint64_t* hashes;     // by cell
+
+  uint32_t capacity;
+  BroadPhase broadPhase;
+};
+
+// Purposes of random numbers: the third word of a counter. Never reuse or renumber.
+enum Purpose : uint32_t {
+  kPurposePlace = 1,   // (tick, command, ., birth) where an enemy appears
+  kPurposeCommand = 2,  // (tick, command) direction of a pattern
+  kPurposeWander = 3,  // (tick, id) drift of the heading
+  kPurposeScatter = 4,  // (tick, id) how bits fly apart
+  kPurposeEndless = 5,  // (tick, group) type and pattern of endless waves
+  kPurposeAutopilot = 6,  // (tick) aiming error
+};
+
+// Launches with the search that was asked for: launch(search) with a RowGather or a BruteForce.
+template <class Launch>
+void withSearch(const View& view, const Launch& launch) {
+  if (view.broadPhase == BroadPhase::ngrid) {
+    launch(RowGather{view.grid});
+  } else {
+    launch(BruteForce{view.cells, view.capacity});
+  }
+}
+
+GW_FN bool isEnemy(uint32_t type) { return type < kMaxEnemyTypes; }
+
+// Distances of an enemy's type from its middle.
+GW_FN float reachOf(const EnemyRules& rules) {
+  return rules.bounds == Bounds::circle
+             ? rules.halfWidth_m
+             : sqrtf(rules.halfWidth_m * rules.halfWidth_m + rules.halfHeight_m * rules.halfHeight_m);
+}
+
+class GameState {
+ public:
+  GameState(Queue& queue, const SimulationConfig& config);
+
+  View view(uint32_t parity) const;  // parity of the tick
+  const Limits& limits() const { return limits_; }
+  NGrid& grid() { return grid_; }
+  Scan& birthScan() { return birthScan_; }
+  Reduce& hashSum() { return hashSum_; }
+
+  Buffer<Tables> tables;
+  Buffer<Master> master;
+  Buffer<TickScratch> scratch;
+  Buffer<InputRecord> inputs, botHeld;
+  Buffer<TickReport> reports;
+  Buffer<Cell> cells[2];
+  Buffer<uint32_t> cellOf;
+  Buffer<Float4> forceEnergy[2], directionMass[2], velocityPrevious;
+  Buffer<Uint4> state;
+  Buffer<Float2> push;
+  Buffer<uint32_t> birthTick, target, choice, chosenBy, spent, event;
+  Buffer<float> choiceTime;
+  Buffer<uint64_t> births, hashes;
+
+ private:
+  Limits limits_;
+  BroadPhase broadPhase_;
+  NGrid grid_;
+  Scan birthScan_;
+  Reduce hashSum_;
+};
+
+}  // namespace gw::GW_DEVICE

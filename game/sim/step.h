@@ -1,0 +1,12 @@
+// One tick of the game.
+#pragma once
+
+#include "game/sim/state.h"
+#include "gpu/stage_timer.h"
+
+namespace gw::GW_DEVICE {
+
+// Launches every stage of the tick with this parity (tick number modulo 2).
+void step(Queue& queue, GameState& state, uint32_t parity, Autopilot who, StageTimer& timer);
+
+}  // namespace gw::GW_DEVICE
