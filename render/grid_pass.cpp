@@ -19,10 +19,9 @@ struct Range {
 };
 
 // The lines k * kStep_m strictly within the world and within the view.
-Range linesInView(float centre, float half, float worldHalf) {
-  const float inWorld = std::ceil(worldHalf / kStep_m) - 1;
-  const int first = int(std::max(std::ceil((centre - half) / kStep_m), -inWorld));
-  const int last = int(std::min(std::floor((centre + half) / kStep_m), inWorld));
+Range linesInView(float centre, float half, float world_m) {
+  const int first = int(std::max(std::ceil((centre - half) / kStep_m), 1.0f));
+  const int last = int(std::min(std::floor((centre + half) / kStep_m), std::ceil(world_m / kStep_m) - 1));
   return {first, std::max(last - first + 1, 0)};
 }
 
@@ -34,9 +33,8 @@ GridPass::GridPass(const std::filesystem::path& assets)
 void GridPass::draw(const GridFrame& frame) {
   const Camera& camera = frame.camera;
   const float unrest = std::clamp(frame.unrest, 0.0f, 1.0f);
-  const float worldHalfWidth_m = frame.worldWidth_m / 2, worldHalfHeight_m = frame.worldHeight_m / 2;
-  const Range upright = linesInView(camera.centre_x, camera.halfWidth_m, worldHalfWidth_m);
-  const Range level = linesInView(camera.centre_y, camera.halfHeight_m, worldHalfHeight_m);
+  const Range upright = linesInView(camera.centre_x, camera.halfWidth_m, frame.worldWidth_m);
+  const Range level = linesInView(camera.centre_y, camera.halfHeight_m, frame.worldHeight_m);
   const int bands = unrest < kCalm ? 1 : kBands;
 
   glClearColor(.010f * frame.brightness, .013f * frame.brightness, .032f * frame.brightness, 1);
@@ -44,7 +42,7 @@ void GridPass::draw(const GridFrame& frame) {
 
   glUseProgram(program_.get());
   glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);
-  glUniform4f(kWorld, worldHalfWidth_m, worldHalfHeight_m, float(frame.target.height) / (2 * camera.halfHeight_m),
+  glUniform4f(kWorld, frame.worldWidth_m, frame.worldHeight_m, float(frame.target.height) / (2 * camera.halfHeight_m),
               float(bands));
   glUniform4i(kLines, upright.first, upright.count, level.first, level.count);
   glUniform4f(kMood, frame.time_s, unrest, frame.brightness, std::floor(frame.time_s * kFlicker_hz));

@@ -12,7 +12,7 @@ namespace gw {
 struct GridFrame {
   Camera camera;
   PixelSize target;
-  float worldWidth_m = 192, worldHeight_m = 108;  // the world spans -half..+half
+  float worldWidth_m = 192, worldHeight_m = 108;  // the world spans 0..width, 0..height
   float time_s = 0;                               // game time: what moves stops with the game
   float unrest = 0;                               // 0 calm .. 1 the frame budget is spent: lines flicker and tear
   float brightness = 1;

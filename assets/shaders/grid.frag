@@ -13,7 +13,7 @@ layout(location = 0) out vec4 colour;
 const float kApart_m = 60;  // between two packets on one line
 
 void main() {
-  float past_px = max(abs(along_m) - data.w, 0.0) * world.z;  // the end of a wall; other lines stop before theirs
+  float past_px = max(max(-along_m, along_m - data.w), 0.0) * world.z;  // the end of a wall; other lines stop before theirs
   float away_px = length(vec2(across_px, past_px));
   float reach_px = abs(tint.w);
   float fade = clamp(1 - away_px / reach_px, 0.0, 1.0);

@@ -5,7 +5,7 @@
 //   sections of an upright line, two bands:   0--1 2--3   (1 and 2 are one place in two bands)
 
 layout(location = 0) uniform vec4 camera;  // centre in metres; 1 / half extents
-layout(location = 1) uniform vec4 world;   // half extents of the world in metres; pixels per metre; bands
+layout(location = 1) uniform vec4 world;   // width and height of the world in metres; pixels per metre; bands
 layout(location = 2) uniform ivec4 lines;  // first upright, upright count, first level, level count
 layout(location = 3) uniform vec4 mood;    // time in seconds; unrest; brightness; time step of the flicker
 
@@ -13,7 +13,7 @@ out float across_px;                    // from the middle of the line
 out float along_m;
 flat out vec4 tint;                     // colour; half width in pixels, negative for a wall's glow
 flat out vec4 data;                     // of what runs along the line: speed (m/s, signed), offset in metres, strength;
-                                        // and half the length of a wall in metres
+                                        // and the length of a wall in metres
 
 const float kStep_m = 4;                // between lines
 const int kMajor = 5;                   // every so many lines a brighter one
@@ -43,11 +43,12 @@ void main() {
   float unrest = mood.y;
   float half_px = wall ? kWallGlow_m * pixelsPerMetre : .5;
   float pad_m = wall ? kWallGlow_m : 1.5 / pixelsPerMetre;
-  float middle = wall ? ((side & 1) == 0 ? -1 : 1) * (upright ? world.x : world.y) : float(index) * kStep_m;
+  float middle = wall ? float(side & 1) * (upright ? world.x : world.y) : float(index) * kStep_m;
 
   vec2 inView = 1 / camera.zw;
-  vec2 end = world.xy + (wall ? kWallGlow_m : 0);  // walls shine round their corners
-  vec2 low = max(-end, camera.xy - inView - kTear_m), high = min(end, camera.xy + inView + kTear_m);
+  float past_m = wall ? kWallGlow_m : 0;  // walls shine round their corners
+  vec2 low = max(vec2(-past_m), camera.xy - inView - kTear_m);
+  vec2 high = min(world.xy + past_m, camera.xy + inView + kTear_m);
   int section = gl_VertexID >> 1;
   float share = float((section + 1) >> 1) / world.w;
   float height = upright ? share : (middle - camera.y + inView.y) / (2 * inView.y);  // 0..1 up the screen

@@ -53,7 +53,7 @@ const vec4 kFill[kShapes] = vec4[](
 // Radii of the outer and the inner ring; how much further than others' its glow reaches (so that one finds oneself).
 const vec3 kRings[kShapes] = vec3[](
   vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1),
-  vec3(0, 0, 1), vec3(1, .5, 1), vec3(0, 0, 1.2), vec3(0, 0, 1), vec3(0, 0, 3));
+  vec3(0, 0, 1), vec3(1, .5, 1), vec3(0, 0, 1.2), vec3(0, 0, 1), vec3(0, 0, 2.2));
 
 const float kAnnounced_ticks = 30;  // World::announced_ticks as the rules start from it: when the outline arrives
 const float kAnnouncedScale = 2;    // and how much larger than the shape it starts
