@@ -11,7 +11,6 @@ import subprocess
 import gate_tools
 
 FUSED = re.compile(r"\b(vfn?m(?:add|sub|addsub|subadd)\d{3}\w+)\b")
-
 MACHINE_CODE = re.compile(r"^ *[0-9a-f]+:\t[a-z]", re.MULTILINE)
 
 
