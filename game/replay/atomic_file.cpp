@@ -28,12 +28,13 @@ std::string because(int error, const char* remedy) {
 fs::path destination(const fs::path& path) {
   std::error_code error;
   if (path.empty()) refuse("the replay", "its name is empty; give a file name");
-  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
-  if (error) refuse(path, because(error.value(), "choose another file"));
+  const bool link = fs::is_symlink(fs::symlink_status(path, error));
+  const fs::path target = link ? fs::weakly_canonical(path, error) : path;
+  if (link && error) refuse(path, because(error.value(), "choose another name"));
   const fs::file_status status = fs::status(target, error);
   if (fs::is_directory(status)) refuse(path, "it is a folder; give the name of a file in it");
   if (fs::exists(status) && !fs::is_regular_file(status)) refuse(path, "it is not a plain file; choose another name");
-  if (fs::exists(status) && access(target.c_str(), W_OK) != 0) {
+  if (fs::exists(status) && faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
     refuse(path, "it is write-protected; choose another name or lift the protection");
   }
   return target;

@@ -1,0 +1,253 @@
+// The command line, option by option: what it gives, and the sentence for what it refuses.
+#include "game/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace gw::test {
+namespace {
+
+ParsedCommandLine parse(const std::string& line) {
+  std::istringstream words(line);
+  std::vector<std::string> arguments;
+  for (std::string word; words >> word;) arguments.push_back(word);
+  return parseCommandLine(arguments);
+}
+
+Options accepted(const std::string& line) {
+  const ParsedCommandLine parsed = parse(line);
+  EXPECT_TRUE(parsed.run) << line << ": " << parsed.error;
+  EXPECT_EQ(parsed.error, "");
+  return parsed.options;
+}
+
+TEST(CommandLine, NoArgumentsPlayInAWindow) {
+  const Options o = accepted("");
+  EXPECT_EQ(o.verb, Verb::play);
+  EXPECT_EQ(o.mode, Mode::arcade);
+  EXPECT_FALSE(o.seed.has_value());
+  EXPECT_EQ(o.enemies, 8192u);
+  EXPECT_EQ(o.autopilot, Autopilot::none);
+  EXPECT_EQ(o.device, DeviceOption::automatic);
+  EXPECT_EQ(o.broadPhase, BroadPhase::ngrid);
+  EXPECT_EQ(o.order, VisitOrder::forward);
+  EXPECT_FALSE(o.headless || o.fullscreen || o.mute || o.protectMemory);
+  EXPECT_EQ(o.width_px, 1280u);
+  EXPECT_EQ(o.height_px, 720u);
+}
+
+TEST(CommandLine, PlayTakesAllItsOptions) {
+  const Options o = accepted(
+      "play --mode arcade --seed 18446744073709551615 --enemies 1000000 --device cpu --threads 256 --broad-phase brute "
+      "--gather exact --sort bitonic --headless --ticks 864000 --autopilot expert --record r.gwr --hashes h.txt "
+      "--width 320 --height 4320 --mute --order shuffled --protect-memory --screenshot s.png --assets a");
+  EXPECT_EQ(o.seed, UINT64_MAX);
+  EXPECT_EQ(o.enemies, 1'000'000u);
+  EXPECT_EQ(o.device, DeviceOption::cpu);
+  EXPECT_EQ(o.threads, 256u);
+  EXPECT_EQ(o.broadPhase, BroadPhase::bruteForce);
+  EXPECT_TRUE(o.headless);
+  EXPECT_EQ(o.ticks, 864'000u);
+  EXPECT_EQ(o.autopilot, Autopilot::expert);
+  EXPECT_EQ(o.recordPath, "r.gwr");
+  EXPECT_EQ(o.hashesPath, "h.txt");
+  EXPECT_EQ(o.screenshotPath, "s.png");
+  EXPECT_EQ(o.assetsDir, "a");
+  EXPECT_EQ(o.width_px, 320u);
+  EXPECT_EQ(o.height_px, 4320u);
+  EXPECT_TRUE(o.mute && o.protectMemory);
+  EXPECT_EQ(o.order, VisitOrder::shuffled);
+}
+
+TEST(CommandLine, PlayIsTheVerbWhenNoneIsNamed) {
+  const Options o = accepted("--seed=5 --fullscreen --autopilot novice --device cuda --order forward");
+  EXPECT_EQ(o.verb, Verb::play);
+  EXPECT_EQ(o.seed, 5u);
+  EXPECT_TRUE(o.fullscreen);
+  EXPECT_EQ(o.autopilot, Autopilot::novice);
+  EXPECT_EQ(o.device, DeviceOption::cuda);
+}
+
+TEST(CommandLine, ReplayTakesAFile) {
+  const Options o =
+      accepted("replay run.gwr --speed 0.5 --from 600 --device cpu --broad-phase ngrid --width 640 --mute");
+  EXPECT_EQ(o.verb, Verb::replay);
+  ASSERT_EQ(o.files.size(), 1u);
+  EXPECT_EQ(o.files[0], "run.gwr");
+  EXPECT_EQ(o.speed, 0.5);
+  EXPECT_EQ(o.fromTick, 600u);
+  EXPECT_EQ(o.width_px, 640u);
+}
+
+TEST(CommandLine, VerifyTakesFiles) {
+  const Options o = accepted("verify a.gwr b.gwr -j 4 --json out.json --hashes - c.gwr --threads 2 --order reversed");
+  EXPECT_EQ(o.verb, Verb::verify);
+  EXPECT_EQ(o.files, (std::vector<std::filesystem::path>{"a.gwr", "b.gwr", "c.gwr"}));
+  EXPECT_EQ(o.jobs, 4u);
+  EXPECT_EQ(o.jsonPath, "out.json");
+  EXPECT_EQ(o.hashesPath, "-");
+  EXPECT_EQ(o.threads, 2u);
+  EXPECT_EQ(o.order, VisitOrder::reversed);
+  EXPECT_EQ(accepted("verify a -j2").jobs, 2u);
+  EXPECT_EQ(accepted("verify --jobs=3 a").jobs, 3u);
+}
+
+TEST(CommandLine, FilesMayBeginWithADashAfterTwo) {
+  EXPECT_EQ(accepted("verify -- -a.gwr --b").files, (std::vector<std::filesystem::path>{"-a.gwr", "--b"}));
+}
+
+TEST(CommandLine, DevicesListsToAPlaceOrStdout) {
+  EXPECT_EQ(accepted("devices").jsonPath, "");
+  EXPECT_EQ(accepted("devices --json").jsonPath, "-");
+  EXPECT_EQ(accepted("devices --json out.json").jsonPath, "out.json");
+}
+
+TEST(CommandLine, KeepsItsTextForReplays) {
+  EXPECT_EQ(parseCommandLine({"play", "--seed", "3", "--record", "my run.gwr"}).options.text,
+            "play --seed 3 --record 'my run.gwr'");
+}
+
+TEST(CommandLine, HelpAndVersionGoToStdout) {
+  for (const char* line : {"--help", "-h", "play --help", "replay --help", "verify -h", "devices --help", "--version",
+                           "verify --version", "replay --help --nonsense"}) {
+    const ParsedCommandLine parsed = parse(line);
+    EXPECT_FALSE(parsed.run) << line;
+    EXPECT_EQ(parsed.code, ExitCode::fine) << line;
+    EXPECT_EQ(parsed.error, "") << line;
+    EXPECT_TRUE(parsed.output.ends_with("\n")) << line;
+  }
+  EXPECT_NE(parse("--help").output.find("verify"), std::string::npos);
+  EXPECT_NE(parse("verify --help").output.find("--jobs"), std::string::npos);
+  EXPECT_NE(parse("play --help").output.find("--autopilot novice|expert"), std::string::npos);
+  EXPECT_EQ(parse("play --help").output.find("thesis"), std::string::npos);
+  EXPECT_EQ(parse("--version").output.rfind("gpuwars ", 0), 0u);
+}
+
+struct Refusal {
+  const char* line;
+  const char* error;  // all of it
+};
+
+const Refusal kRefusals[] = {
+    // Later versions' business, by name.
+    {"--mode deadline", "'--mode deadline' is not in this version yet; choose arcade"},
+    {"--mode swarm", "'--mode swarm' is not in this version yet; choose arcade"},
+    {"--mode practice", "'--mode practice' is not in this version yet; choose arcade"},
+    {"--gather adaptive", "'--gather adaptive' is not in this version yet; choose exact"},
+    {"--gather fixed", "'--gather fixed' is not in this version yet; choose exact"},
+    {"--sort odd-even", "'--sort odd-even' is not in this version yet; choose bitonic"},
+    {"--sort full", "'--sort full' is not in this version yet; choose bitonic"},
+    {"--sort frozen", "'--sort frozen' is not in this version yet; choose bitonic"},
+    {"--broad-phase grid", "'--broad-phase grid' is not in this version yet; choose ngrid|brute"},
+    {"--broad-phase grid-hashed", "'--broad-phase grid-hashed' is not in this version yet; choose ngrid|brute"},
+    {"--thesis", "'--thesis' is not in this version yet; leave it out to play the exact game"},
+    {"verify a --thesis", "'--thesis' is not in this version yet; leave it out to play the exact game"},
+    {"replay a --gather fixed", "'--gather fixed' is not in this version yet; choose exact"},
+    {"profile", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
+    {"profile --help", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
+    {"render a.gwr --out b", "'gpuwars render' is not in this version yet; see 'gpuwars --help' for what is"},
+    // Values.
+    {"--mode chess", "'--mode chess' is not known; choose arcade"},
+    {"--device gpu", "'--device gpu' is not known; choose auto|cuda|cpu"},
+    {"--broad-phase tree", "'--broad-phase tree' is not known; choose ngrid|brute"},
+    {"--autopilot pro", "'--autopilot pro' is not known; choose novice|expert"},
+    {"--autopilot", "'--autopilot' needs a value; see 'gpuwars play --help'"},
+    {"--order random", "'--order random' is not known; choose forward|reversed|shuffled"},
+    {"--enemies 0", "'--enemies 0' does not work; give a whole number from 1 to 1,000,000"},
+    {"--enemies -5", "'--enemies -5' does not work; give a whole number from 1 to 1,000,000"},
+    {"--enemies 1000001", "'--enemies 1000001' does not work; give a whole number from 1 to 1,000,000"},
+    {"--enemies 99999999999999999999",
+     "'--enemies 99999999999999999999' does not work; give a whole number from 1 to "
+     "1,000,000"},
+    {"--enemies many", "'--enemies many' does not work; give a whole number from 1 to 1,000,000"},
+    {"--enemies 10.5", "'--enemies 10.5' does not work; give a whole number from 1 to 1,000,000"},
+    {"--enemies 0x10", "'--enemies 0x10' does not work; give a whole number from 1 to 1,000,000"},
+    {"--enemies", "'--enemies' needs a value; see 'gpuwars play --help'"},
+    {"--seed -1", "'--seed -1' does not work; give a whole number from 0 to 18,446,744,073,709,551,615"},
+    {"--threads 257", "'--threads 257' does not work; give a whole number from 0 to 256"},
+    {"--ticks 0", "'--ticks 0' does not work; give a whole number from 1 to 864,000"},
+    {"--ticks 864001", "'--ticks 864001' does not work; give a whole number from 1 to 864,000"},
+    {"--width 319", "'--width 319' does not work; give a whole number from 320 to 7,680"},
+    {"--width 7681", "'--width 7681' does not work; give a whole number from 320 to 7,680"},
+    {"--height 199", "'--height 199' does not work; give a whole number from 200 to 4,320"},
+    {"--headless=yes --ticks 5", "'--headless' takes no value; leave out what follows its '='"},
+    {"--seed 1 --seed 2", "'--seed' is given more than once; keep one of them"},
+    {"verify a -j 0", "'--jobs 0' does not work; give a whole number from 1 to 256"},
+    {"replay a --speed nan", "'--speed nan' does not work; give a number from 0.05 to 64"},
+    {"replay a --speed 0", "'--speed 0' does not work; give a number from 0.05 to 64"},
+    {"replay a --speed fast", "'--speed fast' does not work; give a number from 0.05 to 64"},
+    {"replay a --speed 1e999", "'--speed 1e999' does not work; give a number from 0.05 to 64"},
+    {"replay a --from -1", "'--from -1' does not work; give a whole number from 0 to 864,000"},
+    {"--record --headless",
+     "'--record' is followed by '--headless' where its file name should be; give it one "
+     "('./--headless' if it is really called so)"},
+    {"--record", "'--record' needs a value; see 'gpuwars play --help'"},
+    // Contradictions.
+    {"--headless", "'--headless' does not end by itself; give '--ticks N' too"},
+    {"--headless --autopilot expert", "'--headless' does not end by itself; give '--ticks N' too"},
+    {"--headless --ticks 5 --fullscreen", "'--headless' has no window for '--fullscreen'; leave out one of the two"},
+    {"--hashes out", "'--hashes' is for runs without a window; add '--headless'"},
+    {"--screenshot out", "'--screenshot' is for runs without a window; add '--headless'"},
+    {"--headless --ticks 5 --record x --hashes x", "'--record' and '--hashes' name the same file; give each its own"},
+    {"verify a --json - --hashes -", "'--json' and '--hashes' name the same place; give each its own"},
+    {"--device cuda --order reversed",
+     "'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'"},
+    {"--device cuda --protect-memory",
+     "'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'"},
+    // Verbs, files and options in the wrong place.
+    {"run.gwr",
+     "'run.gwr' is not a verb; choose play, replay, verify or devices (to watch a file: 'gpuwars replay "
+     "FILE')"},
+    {"play run.gwr", "'run.gwr' is not understood; 'gpuwars play' takes options only"},
+    {"devices cpu", "'cpu' is not understood; 'gpuwars devices' takes options only"},
+    {"replay", "'gpuwars replay' needs a replay; name the file"},
+    {"verify --json out", "'gpuwars verify' needs a replay; name the file"},
+    {"replay a b", "'b' is one file too many; give just one"},
+    {"replay a --seed 3", "'--seed' belongs to 'gpuwars play', not to 'gpuwars replay'; leave it out"},
+    {"verify a --autopilot expert", "'--autopilot' belongs to 'gpuwars play', not to 'gpuwars verify'; leave it out"},
+    {"verify a --record=x", "'--record' belongs to 'gpuwars play', not to 'gpuwars verify'; leave it out"},
+    {"play --speed 2", "'--speed' belongs to 'gpuwars replay', not to 'gpuwars play'; leave it out"},
+    {"devices --device cpu", "'--device' belongs to 'gpuwars play', not to 'gpuwars devices'; leave it out"},
+    {"--sed 3", "'--sed' is not an option; see 'gpuwars play --help'"},
+    {"verify a --frobnicate=3", "'--frobnicate' is not an option; see 'gpuwars verify --help'"},
+    {"-x", "'-x' is not an option; see 'gpuwars play --help'"},
+};
+
+class CommandLineRefusal : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(CommandLineRefusal, IsOneSentenceAndExitCodeTwo) {
+  const ParsedCommandLine parsed = parse(GetParam().line);
+  EXPECT_FALSE(parsed.run);
+  EXPECT_EQ(parsed.code, ExitCode::badUsage);
+  EXPECT_EQ(parsed.error, GetParam().error);
+  EXPECT_EQ(parsed.output, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CommandLineRefusal, ::testing::ValuesIn(kRefusals));
+
+TEST(CommandLine, EmptyArgumentsAreRefused) {
+  EXPECT_EQ(parseCommandLine({""}).code, ExitCode::badUsage);
+  EXPECT_EQ(parseCommandLine({"verify", ""}).error, "a file name is empty; give the file's name");
+  EXPECT_EQ(parseCommandLine({"--record", ""}).error, "'--record' has an empty name; give it a file name");
+  EXPECT_EQ(parseCommandLine({"--mode", ""}).error, "'--mode ' is not known; choose arcade");
+}
+
+// Nothing that a user can type may throw or crash.
+TEST(CommandLine, SurvivesAnyThreeWords) {
+  const std::vector<std::string> words = {"play",       "verify",    "replay", "devices", "--",     "-",        "",
+                                          "--=",        "=",         "-j",     "-j=",     "--json", "--seed",   "--h",
+                                          "--seed=",    "[a,b]",     "[]",     "%%",      "-5",     "\x01\xff", "@x",
+                                          "--headless", "--ticks=1", "a",      "{}",      "-hv"};
+  for (const std::string& a : words) {
+    for (const std::string& b : words) {
+      for (const std::string& c : words) {
+        const ParsedCommandLine parsed = parseCommandLine({a, b, c});
+        ASSERT_EQ(parsed.code == ExitCode::badUsage, !parsed.error.empty()) << a << ' ' << b << ' ' << c;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gw::test

@@ -1,0 +1,22 @@
+# Tables, replays and the command line: host code, needs nothing.
+find_path(GW_RAPIDCHECK_INCLUDE_DIR rapidcheck/gtest.h)
+find_library(GW_RAPIDCHECK_LIBRARY rapidcheck)
+if(NOT GW_RAPIDCHECK_INCLUDE_DIR OR NOT GW_RAPIDCHECK_LIBRARY)
+  message(FATAL_ERROR "RapidCheck was not found: install librapidcheck-dev")
+endif()
+
+set(here ${CMAKE_CURRENT_LIST_DIR})
+add_executable(game_host_test
+  ${here}/command_line_test.cpp
+  ${here}/replay_allocation_watch.cpp
+  ${here}/replay_damage_test.cpp
+  ${here}/replay_files_test.cpp
+  ${here}/replay_samples.cpp
+  ${here}/replay_test.cpp
+  ${here}/tables_damage_test.cpp
+  ${here}/tables_test.cpp)
+target_include_directories(game_host_test SYSTEM PRIVATE ${GW_RAPIDCHECK_INCLUDE_DIR})
+target_compile_definitions(game_host_test PRIVATE GW_ASSETS_DIR="${here}/../../assets")
+target_link_libraries(game_host_test PRIVATE gw_command_line gw_replay gw_tables fmt::fmt-header-only ${GW_RAPIDCHECK_LIBRARY}
+  GTest::gtest_main)
+gtest_discover_tests(game_host_test)
