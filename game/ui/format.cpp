@@ -29,7 +29,10 @@ std::string oneDecimal(double number) {
 }
 
 std::string multiplierText(uint32_t tenths) {
-  return "x" + withCommas(tenths / 10) + "." + std::to_string(tenths % 10);
+  std::string text(1, 'x');
+  text += withCommas(tenths / 10);
+  text += '.';
+  return text += std::to_string(tenths % 10);
 }
 
 std::string upperCase(std::string text) {

@@ -38,7 +38,7 @@ void drawPause(Canvas& canvas, const Rules& rules, const PauseFrame& frame) {
     const Rgba colour = rgbaOf(type.colour);
     canvas.outline(name + 2, y - 10, 11, 11, 2, colour);
     canvas.text(type.name, name + 26, y, style(12, colour, TextAlign::left, 0.3f));
-    canvas.text("+" + oneDecimal(type.contact_us / 1000.0) + " ms", cost, y, style(12, kText, TextAlign::right, 0));
+    canvas.text(oneDecimal(type.contact_us / 1000.0) + " ms", cost, y, style(12, kText, TextAlign::right, 0));
     canvas.text(withCommas(type.value), value, y, style(12, kText, TextAlign::right, 0));
   }
 }

@@ -1,0 +1,137 @@
+// gpuwars play --headless: ticks as fast as they come, and a summary.
+#include <chrono>
+#include <cstdio>
+
+#include "game/camera.h"
+#include "game/commands/commands.h"
+#include "game/commands/hash_file.h"
+#include "game/commands/progress.h"
+#include "game/commands/run_factory.h"
+#include "game/interrupt.h"
+#include "game/ui/format.h"
+#include "game/ui/hud.h"
+#include "game/user_error.h"
+#include "game/world_view.h"
+#include "render/gl_context_egl.h"
+#include "render/screenshot.h"
+
+namespace gw {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr uint32_t kSampleEvery_ticks = 60;  // of the candidates: a search of its own, not timed
+
+struct Measured {
+  double seconds = 0;  // ticks only
+  CandidateCount candidates;
+  uint32_t samples = 0;
+};
+
+// Ticks until the end, the limit or Ctrl-C. The queue is kept full between samples, so that a device
+// which can run ahead does.
+Measured runTicks(Run& run, const Options& options, HashFile& hashes) {
+  Measured measured;
+  Progress progress("tick", options.ticks);
+  uint32_t queued = 0;
+  while (!run.over() && run.last().tick < options.ticks && !interrupted()) {
+    const uint32_t stop = std::min(options.ticks, (run.last().tick / kSampleEvery_ticks + 1) * kSampleEvery_ticks);
+    const Clock::time_point start = Clock::now();
+    while (run.last().tick < stop && !run.over()) {
+      while (queued < stop && run.queued() < Simulation::kTicksInFlight) {
+        run.queue({});
+        ++queued;
+      }
+      if (run.collect()) hashes.write(run.last().tick, run.last().hash);
+    }
+    while (run.queued() > 0) run.collect();
+    measured.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    if (!run.over()) {
+      const CandidateCount count = run.simulation().countCandidates();
+      measured.candidates.tested += count.tested;
+      measured.candidates.entities += count.entities;
+      ++measured.samples;
+    }
+    progress.show(run.last().tick);
+  }
+  return measured;
+}
+
+void printSummary(Run& run, const RunFactory& factory, const Options& options, uint64_t seed,
+                  const Measured& measured) {
+  const TickReport& report = run.last();
+  const Rules& rules = factory.rules();
+  const auto line = [](const char* name, const std::string& value) { std::printf("%-12s %s\n", name, value.c_str()); };
+  line("device", run.simulation().deviceName() + (factory.device().why.empty() ? "" : "  (" + factory.device().why + ")"));
+  line("game", "seed " + std::to_string(seed) + ", " + withCommas(options.enemies) + " enemies fit, " +
+                   withCommas(run.simulation().capacity()) + " entities");
+  line("ticks", withCommas(report.tick) +
+                    (report.over ? " (over at tick " + std::to_string(report.tick) + ")"
+                     : interrupted() ? " (interrupted)" : ""));
+  line("ticks/s", measured.seconds > 0 ? oneDecimal(report.tick / measured.seconds) : "-");
+  line("survived", minutesSeconds(report.tick));
+  line("score", withCommas(report.score));
+  line("multiplier", multiplierText(report.multiplierTenths));
+  line("budget", oneDecimal(report.frameTime_us / 1000.0) + " ms, " +
+                     oneDecimal(framesPerSecond(report.frameTime_us)) + " FPS");
+  std::string kills = withCommas(report.kills);
+  for (uint32_t i = 0; i < rules.enemyTypeCount; ++i) {
+    kills += (i == 0 ? ": " : ", ") + std::string(rules.enemies[i].name) + " " + withCommas(report.killsByType[i]);
+  }
+  line("kills", kills);
+  line("peak alive", withCommas(report.peakEnemies));
+  line("contacts", withCommas(report.contacts));
+  line("bits taken", withCommas(report.bitsTaken));
+  line("refused", withCommas(report.refused) + " births");
+  line("candidates", measured.candidates.entities == 0
+                         ? std::string("-")
+                         : oneDecimal(double(measured.candidates.tested) / double(measured.candidates.entities)) +
+                               " per enemy, " + std::to_string(measured.samples) + " samples");
+  line("state hash", hexadecimal(report.hash));
+  if (run.recorded()) line("recorded", factory.recordPath().string());
+}
+
+void takePicture(Run& run, const RunFactory& factory, const Options& options) {
+  const PixelSize size{int(options.width_px), int(options.height_px)};
+  std::unique_ptr<GlContext> context;
+  try {
+    context = makeEglContext(size);
+  } catch (const std::runtime_error& error) {
+    throw UserError(ExitCode::failedRun, error.what());
+  }
+  WorldView view(factory.assets(), run.simulation().capacity(), factory.device().cuda);
+  FollowCamera camera(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
+  camera.snap(cameraTarget(run.last(), 1), float(size.width) / float(size.height));
+  context->bindTarget();
+  view.draw(run, factory.rules(), camera, {size, 1, 1}, [&](Canvas& canvas) {
+    HudFrame hud;
+    hud.realFps = 0;
+    drawHud(canvas, run.monitor(), factory.rules(), hud);
+  });
+  try {
+    takeScreenshot(options.screenshotPath, size);
+  } catch (const std::runtime_error& error) {
+    throw UserError(ExitCode::badFile, error.what());
+  }
+  context->swap();
+}
+
+}  // namespace
+
+ExitCode playHeadless(const Options& options) {
+  catchInterrupts();
+  const uint64_t seed = options.seed.value_or(1);
+  RunFactory factory(options);
+  HashFile hashes(options.hashesPath);
+  const std::unique_ptr<Run> run = factory.make(seed, options.autopilot, true);
+  const Measured measured = runTicks(*run, options, hashes);
+  run->finishRecording();
+  const bool quiet = hashes.isStdout();  // then stdout is data
+  hashes.close();
+  if (!options.screenshotPath.empty()) takePicture(*run, factory, options);
+  if (!quiet) printSummary(*run, factory, options, seed, measured);
+  return ExitCode::fine;
+}
+
+}  // namespace gw

@@ -1,0 +1,145 @@
+// gpuwars [play]: title, runs and what lies between them, in a window.
+#include <cstdio>
+#include <memory>
+
+#include "game/commands/commands.h"
+#include "game/commands/run_factory.h"
+#include "game/game_loop.h"
+#include "game/ui/format.h"
+#include "game/ui/game_over.h"
+#include "game/ui/hud.h"
+#include "game/ui/pause.h"
+#include "game/ui/screen_flow.h"
+#include "game/ui/title.h"
+
+namespace gw {
+
+namespace {
+
+class PlaySession {
+ public:
+  explicit PlaySession(const Options& options) : options_(options), factory_(options), loop_(options) {
+    // Whoever names a bot or a length wants to see that run, not the title.
+    const bool atOnce = options.autopilot != Autopilot::none || options.ticks > 0;
+    screen_ = atOnce ? Screen::play : Screen::title;
+    atOnce ? startRun() : startAttract();
+    loop_.prepare(factory_.assets(), run_->simulation().capacity(), factory_.device().cuda);
+    device_ = run_->simulation().deviceName();
+  }
+
+  ExitCode play() {
+    while (loop_.beginFrame()) {
+      if (!step()) break;
+      loop_.endFrame(*run_, factory_.rules(), screen_ == Screen::title ? 0.8f : 1.0f,
+                     [this](Canvas& canvas) { drawScreens(canvas); });
+    }
+    leaveRun();
+    return ExitCode::fine;
+  }
+
+ private:
+  // One frame of the flow and of the simulation; false when the player leaves.
+  bool step() {
+    KeyboardMouse& keys = loop_.keys();
+    FlowInput input;
+    input.confirm = keys.pressed(Action::confirm);
+    input.retry = keys.pressed(Action::retry);
+    input.pause = keys.pressed(Action::pause);
+    input.quit = keys.pressed(Action::quit);
+    keys.forgetPresses();
+    input.lostFocus = keys.lostFocus();
+    input.runOver = run_->over();
+    input.shown_s = loop_.now_s() - shownSince_s_;
+
+    const Screen before = screen_;
+    switch (advance(screen_, input)) {
+      case FlowEvent::startRun: startRun(); break;
+      case FlowEvent::leaveRun: startAttract(); break;
+      case FlowEvent::quitProgram: return false;
+      case FlowEvent::none: break;
+    }
+    if (screen_ != before) shownSince_s_ = loop_.now_s();
+    if (before == Screen::play && screen_ == Screen::over) keepBest();
+    loop_.showCursor(screen_ != Screen::play);
+
+    if (screen_ == Screen::title && run_->over()) startAttract();
+    (screen_ == Screen::play || screen_ == Screen::title) ? loop_.pacer().resume() : loop_.pacer().pause();
+    bool ended = false;
+    loop_.runTicks(*run_, factory_.rules(), [&](InputRecord& record) {
+      ended = screen_ == Screen::play && options_.ticks > 0 && run_->last().tick >= options_.ticks;
+      if (screen_ == Screen::play) record = loop_.playerInput(*run_);
+      return !ended;
+    });
+    return !ended;
+  }
+
+  void drawScreens(Canvas& canvas) {
+    const Rules& rules = factory_.rules();
+    const double shown_s = loop_.now_s() - shownSince_s_;
+    if (screen_ == Screen::title) {
+      drawTitle(canvas, {shown_s, device_, options_.enemies, "arcade", best_});
+      return;
+    }
+    HudFrame hud;
+    hud.realFps = loop_.realFps();
+    hud.droppedTicks = loop_.pacer().dropped();
+    hud.best = best_;
+    if (options_.autopilot == Autopilot::novice) hud.banner = "NOVICE AUTOPILOT";
+    if (options_.autopilot == Autopilot::expert) hud.banner = "EXPERT AUTOPILOT";
+    drawHud(canvas, run_->monitor(), rules, hud);
+    if (screen_ == Screen::play) loop_.drawCrosshair(canvas);
+    if (screen_ == Screen::pause) drawPause(canvas, rules, {});
+    if (screen_ == Screen::over) drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true});
+  }
+
+  void startRun() {
+    leaveRun();
+    run_.reset();  // its memory first: two hordes at once may not fit
+    run_ = factory_.make(options_.seed ? *options_.seed : randomSeed(), options_.autopilot, true);
+    attract_ = false;
+    loop_.keys().forgetPresses();
+    loop_.startAfresh(*run_);
+  }
+
+  void startAttract() {
+    leaveRun();
+    run_.reset();
+    run_ = factory_.make(randomSeed(), Autopilot::expert, false);
+    attract_ = true;
+    loop_.startAfresh(*run_);
+  }
+
+  // Says what was reached and keeps the recording.
+  void leaveRun() {
+    if (!run_ || attract_ || run_->last().tick == 0) return;
+    run_->finishRecording();
+    const TickReport& report = run_->last();
+    std::printf("score %s, survived %s, %s processed%s%s\n", withCommas(report.score).c_str(),
+                minutesSeconds(report.tick).c_str(), withCommas(report.kills).c_str(),
+                run_->recorded() ? ", recorded to " : "",
+                run_->recorded() ? factory_.recordPath().c_str() : "");
+    std::fflush(stdout);
+    attract_ = true;  // said once
+  }
+
+  void keepBest() {
+    bestBefore_ = best_;
+    if (run_->last().score > best_) best_ = run_->last().score;
+  }
+
+  Options options_;
+  RunFactory factory_;
+  GameLoop loop_;
+  std::unique_ptr<Run> run_;
+  std::string device_;
+  Screen screen_ = Screen::title;
+  double shownSince_s_ = 0;
+  bool attract_ = false;
+  uint64_t best_ = 0, bestBefore_ = 0;
+};
+
+}  // namespace
+
+ExitCode playWindow(const Options& options) { return PlaySession(options).play(); }
+
+}  // namespace gw

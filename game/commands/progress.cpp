@@ -1,0 +1,28 @@
+#include "game/commands/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace gw {
+
+Progress::Progress(std::string what, uint64_t of)
+    : what_(std::move(what)), of_(of), terminal_(isatty(STDERR_FILENO) != 0), next_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::show(uint64_t done) {
+  if (!terminal_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_) return;
+  next_ = now + std::chrono::milliseconds(200);
+  std::fprintf(stderr, "\r\033[K%s: %llu of %llu", what_.c_str(), static_cast<unsigned long long>(done),
+               static_cast<unsigned long long>(of_));
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+}  // namespace gw

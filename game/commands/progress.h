@@ -1,0 +1,26 @@
+// How far long work is, on stderr, when that is a terminal; silent otherwise.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace gw {
+
+class Progress {
+ public:
+  Progress(std::string what, uint64_t of);
+  ~Progress();  // wipes the line
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(uint64_t done);  // cheap: writes a few times a second
+
+ private:
+  std::string what_;
+  uint64_t of_;
+  bool terminal_, shown_ = false;
+  std::chrono::steady_clock::time_point next_;
+};
+
+}  // namespace gw

@@ -1,0 +1,99 @@
+// gpuwars replay FILE: watch a run. Every tick's hash is compared on the way.
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "game/asset_folder.h"
+#include "game/commands/commands.h"
+#include "game/commands/hash_file.h"
+#include "game/device_choice.h"
+#include "game/game_loop.h"
+#include "game/replay/replay_reader.h"
+#include "game/ui/format.h"
+#include "game/ui/game_over.h"
+#include "game/ui/hud.h"
+#include "game/ui/pause.h"
+#include "game/user_error.h"
+
+namespace gw {
+
+namespace {
+
+class ReplaySession {
+ public:
+  explicit ReplaySession(const Options& options)
+      : options_(options),
+        replay_(readReplay(options.files.front())),
+        config_(replayConfig(replay_)),
+        device_(chooseDevice(options.device)),
+        loop_(options) {
+    setComputing(config_, options);
+    run_.emplace(makeSimulation(device_, config_), std::nullopt);
+    loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity(), device_.cuda);
+    const uint32_t from = std::min(options.fromTick, replay_.ticks());
+    while (run_->last().tick < from && !run_->over()) tick();
+    loop_.startAfresh(*run_);
+    loop_.pacer().setSpeed(options.speed);
+  }
+
+  ExitCode watch() {
+    while (loop_.beginFrame() && step()) {
+      loop_.endFrame(*run_, config_.rules, 1, [this](Canvas& canvas) { drawScreens(canvas); });
+    }
+    if (!differs_) return ExitCode::fine;
+    throw UserError(ExitCode::desync, options_.files.front().string() + " differs from tick " +
+                                          std::to_string(*differs_) + " on: find out more with 'gpuwars verify'.");
+  }
+
+ private:
+  bool ended() const { return run_->last().tick >= replay_.ticks() || run_->over(); }
+
+  bool step() {
+    KeyboardMouse& keys = loop_.keys();
+    const bool leave = keys.pressed(Action::quit);
+    const bool toggle = keys.pressed(Action::pause) || keys.pressed(Action::confirm);
+    keys.forgetPresses();
+    if (leave || (toggle && ended())) return false;
+    TickPacer& pacer = loop_.pacer();
+    if (toggle) pacer.paused() ? pacer.resume() : pacer.pause();
+    while (!ended() && pacer.due()) tick();
+    loop_.showCursor(pacer.paused() || ended());
+    return true;
+  }
+
+  void tick() {
+    const uint32_t next = run_->last().tick;
+    run_->tick(replay_.inputs[next]);
+    if (!differs_ && run_->last().hash != replay_.hashes[next]) differs_ = next + 1;
+  }
+
+  void drawScreens(Canvas& canvas) {
+    HudFrame hud;
+    hud.realFps = loop_.realFps();
+    hud.banner = "REPLAY  " + minutesSeconds(run_->last().tick) + " / " + minutesSeconds(replay_.ticks());
+    if (options_.speed != 1) hud.banner += "  x" + oneDecimal(options_.speed);
+    if (differs_) hud.banner += "  DIFFERS FROM TICK " + std::to_string(*differs_);
+    drawHud(canvas, run_->monitor(), config_.rules, hud);
+    if (ended()) {
+      endedSince_s_ = endedSince_s_ == 0 ? loop_.now_s() : endedSince_s_;
+      if (run_->over()) drawGameOver(canvas, run_->monitor(), config_.rules, {loop_.now_s() - endedSince_s_, 0, false});
+    } else if (loop_.pacer().paused()) {
+      drawPause(canvas, config_.rules, {.replay = true});
+    }
+  }
+
+  Options options_;
+  Replay replay_;
+  SimulationConfig config_;
+  DeviceChoice device_;
+  GameLoop loop_;
+  std::optional<Run> run_;
+  std::optional<uint32_t> differs_;
+  double endedSince_s_ = 0;
+};
+
+}  // namespace
+
+ExitCode watchReplay(const Options& options) { return ReplaySession(options).watch(); }
+
+}  // namespace gw

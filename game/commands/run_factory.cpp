@@ -1,0 +1,58 @@
+#include "game/commands/run_factory.h"
+
+#include <chrono>
+#include <random>
+
+#include "game/asset_folder.h"
+#include "game/replay/atomic_file.h"
+
+namespace gw {
+
+namespace {
+
+std::filesystem::path numbered(const std::filesystem::path& path, uint32_t number) {
+  if (number == 1) return path;
+  std::filesystem::path result = path;
+  result.replace_filename(path.stem().string() + "-" + std::to_string(number) + path.extension().string());
+  return result;
+}
+
+}  // namespace
+
+RunFactory::RunFactory(const Options& options)
+    : options_(options),
+      assets_(findAssetFolder(options.assetsDir)),
+      device_(chooseDevice(options.device)),
+      texts_(readRuleTexts(assets_)) {
+  config_.rules = loadRules(texts_);
+  config_.mode = options.mode;
+  config_.enemies = options.enemies;
+  setComputing(config_, options);
+  if (!options.recordPath.empty()) checkWritable(options.recordPath);  // before anybody has played for it
+}
+
+std::unique_ptr<Run> RunFactory::make(uint64_t seed, Autopilot autopilot, bool recorded) {
+  SimulationConfig config = config_;
+  config.seed = seed;
+  config.autopilot = autopilot;
+  std::optional<Recorder> recorder;
+  if (recorded && !options_.recordPath.empty()) {
+    ReplayHeader header;
+    header.seed = seed;
+    header.mode = config.mode;
+    header.enemies = config.enemies;
+    header.autopilot = autopilot;
+    header.options = options_.text;
+    recordPath_ = numbered(options_.recordPath, ++recordings_);
+    recorder.emplace(recordPath_, header, texts_);
+  }
+  return std::make_unique<Run>(makeSimulation(device_, config), std::move(recorder));
+}
+
+uint64_t randomSeed() {
+  std::random_device device;
+  const auto now = uint64_t(std::chrono::system_clock::now().time_since_epoch().count());
+  return (uint64_t(device()) << 32 | device()) ^ now;
+}
+
+}  // namespace gw

@@ -1,0 +1,141 @@
+#include "game/game_loop.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "game/ui/theme.h"
+#include "game/user_error.h"
+
+namespace gw {
+
+namespace {
+
+double clock_s() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+float aspectOf(PixelSize size) { return float(std::max(size.width, 1)) / float(std::max(size.height, 1)); }
+
+}  // namespace
+
+GameLoop::GameLoop(const Options& options) : fullscreen_(options.fullscreen) {
+  // Not on the grabbing side: a paused game must not keep a screen saver away, and X asks for none.
+  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  WindowOptions window;
+  window.size = {int(options.width_px), int(options.height_px)};
+  window.fullscreen = options.fullscreen;
+  try {
+    context_ = makeSdlContext(window);
+  } catch (const std::runtime_error& error) {
+    throw UserError(ExitCode::failedRun, error.what());
+  }
+  SDL_DisplayMode mode{};
+  const int display = std::max(0, SDL_GetWindowDisplayIndex(context_->window()));
+  if (SDL_GetCurrentDisplayMode(display, &mode) == 0 && mode.refresh_rate > 0) period_s_ = 1.0 / mode.refresh_rate;
+}
+
+GameLoop::~GameLoop() {
+  view_.reset();  // its GL objects go before their context
+}
+
+void GameLoop::prepare(const std::filesystem::path& assets, uint32_t capacity, bool cuda) {
+  view_ = std::make_unique<WorldView>(assets, capacity, cuda);
+}
+
+bool GameLoop::beginFrame() {
+  SDL_Event event;
+  while (SDL_PollEvent(&event) != 0) {
+    if (event.type == SDL_QUIT) closed_ = true;  // the window's button, and SIGINT and SIGTERM by way of SDL
+    keys_.handle(event);
+  }
+  if (keys_.pressed(Action::fullscreen)) context_->setFullscreen(fullscreen_ = !fullscreen_);
+  last_s_ = now_s_;
+  now_s_ = clock_s();
+  if (last_s_ == 0) last_s_ = now_s_;
+  pacer_.frame(now_s_);
+  return !closed_;
+}
+
+void GameLoop::runTicks(Run& run, const Rules& rules, const InputSource& input) {
+  while (!run.over() && pacer_.due()) {
+    InputRecord record;
+    if (!input(record)) return;
+    run.tick(record);
+    if (run.last().contactType != kTypeNone && !run.over()) pacer_.withhold(rules.budget.hitStop_ms / 1000.0);
+  }
+}
+
+InputRecord GameLoop::playerInput(const Run& run) {
+  WorldPoint pointer;
+  int width = 1, height = 1;  // events count in the window's own units, which are not always pixels
+  SDL_GetWindowSize(context_->window(), &width, &height);
+  if (camera_) {
+    camera_->toWorld(keys_.pointer_x_px(), keys_.pointer_y_px(), float(width), float(height), pointer.x, pointer.y);
+  }
+  return keys_.record({run.last().ship_x, run.last().ship_y}, pointer);
+}
+
+void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens) {
+  const PixelSize size = context_->size();
+  const float alpha = pacer_.alpha();
+  if (run.last().tick == 0) {
+    // Nothing has been simulated yet, so nobody knows where the ship is: the middle of the world.
+    camera_->snap({run.simulation().worldWidth_m() / 2, run.simulation().worldHeight_m() / 2, 0, 0}, aspectOf(size));
+  } else {
+    camera_->follow(cameraTarget(run.last(), alpha), aspectOf(size), float(now_s_ - last_s_));
+  }
+  context_->bindTarget();
+  view_->draw(run, rules, *camera_, {size, alpha, brightness}, screens);
+  context_->swap();
+  limitFrames();
+  countFrame();
+}
+
+void GameLoop::startAfresh(Run& run) {
+  camera_ = std::make_unique<FollowCamera>(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
+  pacer_ = TickPacer();
+  pacer_.frame(now_s_);
+}
+
+void GameLoop::showCursor(bool on) {
+  if (on != cursorShown_) SDL_ShowCursor(on ? SDL_ENABLE : SDL_DISABLE);
+  cursorShown_ = on;
+}
+
+void GameLoop::drawCrosshair(Canvas& canvas) const {
+  if (!keys_.aimsByMouse()) return;
+  int width = 1, height = 1;
+  SDL_GetWindowSize(context_->window(), &width, &height);
+  const float scale = Canvas::kHeight / float(std::max(height, 1));
+  const float x = keys_.pointer_x_px() * scale, y = keys_.pointer_y_px() * scale;
+  const Rgba colour = theme::faded(theme::kAccent, 0.9f);
+  for (const float side : {-1.0f, 1.0f}) {
+    canvas.line(x + side * 5, y, x + side * 13, y, 1.5f, colour);
+    canvas.line(x, y + side * 5, x, y + side * 13, 1.5f, colour);
+  }
+  canvas.rectangle(x - 1, y - 1, 2, 2, colour);
+}
+
+void GameLoop::limitFrames() {
+  if (context_->verticalSync()) return;
+  nextFrame_s_ += period_s_;
+  const double now = clock_s();
+  if (nextFrame_s_ < now) nextFrame_s_ = now;  // late: the next frame is due from here
+  std::this_thread::sleep_for(std::chrono::duration<double>(nextFrame_s_ - now));
+}
+
+void GameLoop::countFrame() {
+  ++counted_;
+  const double passed = now_s_ - countedSince_s_;
+  if (passed < 0.5) return;
+  realFps_ = passed < 5 ? counted_ / passed : 0;
+  countedSince_s_ = now_s_;
+  counted_ = 0;
+}
+
+}  // namespace gw

@@ -1,0 +1,68 @@
+// The window's loop: events in, ticks when they are due, pictures at the screen's own rate. Play and
+// replay are the same loop with another source of input and other screens.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "game/camera.h"
+#include "game/command_line.h"
+#include "game/input/keyboard_mouse.h"
+#include "game/run.h"
+#include "game/tick_pacer.h"
+#include "game/world_view.h"
+#include "render/gl_context_sdl.h"
+
+namespace gw {
+
+class GameLoop {
+ public:
+  // Opens the window. Throws UserError, one sentence, when there is no display or no OpenGL 4.5.
+  explicit GameLoop(const Options& options);
+  ~GameLoop();
+
+  // Loads what drawing needs, once, for simulations of this capacity.
+  void prepare(const std::filesystem::path& assets, uint32_t capacity, bool cuda);
+
+  // Takes the events and the time of a new frame. False when the window was closed.
+  bool beginFrame();
+
+  // Runs the ticks that are due. `input` is asked once per tick; a tick that cost the ship time is
+  // followed by the hit-stop. Stops at the end of the run, or when `input` returns false.
+  using InputSource = std::function<bool(InputRecord&)>;
+  void runTicks(Run& run, const Rules& rules, const InputSource& input);
+
+  // What keyboard and mouse say now.
+  InputRecord playerInput(const Run& run);
+
+  // Draws the run and the screens over it, shows the picture, and waits where the screen does not.
+  void endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens);
+
+  // Another run begins: its camera and its clock start afresh.
+  void startAfresh(Run& run);
+  void showCursor(bool on);
+  void drawCrosshair(Canvas& canvas) const;
+
+  KeyboardMouse& keys() { return keys_; }
+  TickPacer& pacer() { return pacer_; }
+  double now_s() const { return now_s_; }
+  double realFps() const { return realFps_; }
+
+ private:
+  void limitFrames();
+  void countFrame();
+
+  std::unique_ptr<SdlContext> context_;
+  std::unique_ptr<WorldView> view_;
+  std::unique_ptr<FollowCamera> camera_;
+  KeyboardMouse keys_;
+  TickPacer pacer_;
+  double now_s_ = 0, last_s_ = 0;
+  double nextFrame_s_ = 0, period_s_ = 1.0 / 60;
+  double countedSince_s_ = 0, realFps_ = 0;
+  uint32_t counted_ = 0;
+  bool fullscreen_ = false, cursorShown_ = true, closed_ = false;
+};
+
+}  // namespace gw

@@ -1,0 +1,35 @@
+#include "game/run.h"
+
+#include <utility>
+
+namespace gw {
+
+Run::Run(std::unique_ptr<Simulation> simulation, std::optional<Recorder> recorder)
+    : simulation_(std::move(simulation)), recorder_(std::move(recorder)) {}
+
+void Run::queue(const InputRecord& input) {
+  simulation_->tick(input);
+  ++queued_;
+}
+
+bool Run::collect() {
+  const TickReport report = simulation_->report();
+  --queued_;
+  if (over()) return false;
+  monitor_.add(report);
+  if (recorder_ && !recorder_->append(report.input, report.hash)) finishRecording();  // full: four hours
+  if (over()) finishRecording();
+  return true;
+}
+
+void Run::finishRecording() {
+  if (!recorder_) return;
+  Recorder recorder = std::move(*recorder_);
+  recorder_.reset();
+  if (recorder.ticks() == 0) return;
+  const TickReport& report = last();
+  recorder.finish({report.score, report.kills, report.frameTime_us, report.over != 0});
+  recorded_ = true;
+}
+
+}  // namespace gw

@@ -1,0 +1,48 @@
+// One run of the game: the simulation, its recording, and what is known of it so far.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "game/replay/recorder.h"
+#include "game/sim/simulation.h"
+#include "game/ui/run_monitor.h"
+
+namespace gw {
+
+class Run {
+ public:
+  // `recorder` may be none. The simulation has not ticked yet.
+  Run(std::unique_ptr<Simulation> simulation, std::optional<Recorder> recorder);
+
+  // Queues a tick. At most Simulation::kTicksInFlight may wait for collect().
+  void queue(const InputRecord& input);
+  // Reads the oldest report; what comes after the end is dropped. True when it was a tick of the run.
+  bool collect();
+  // Both: what play does, so that every tick is shown.
+  bool tick(const InputRecord& input) {
+    queue(input);
+    return collect();
+  }
+  uint32_t queued() const { return queued_; }
+
+  // Writes the recording, if there is one and a tick was played; once. At the end of the run this has
+  // been done already, so that nothing that happens later can lose it. Throws ReplayError.
+  void finishRecording();
+  bool recorded() const { return recorded_; }  // a file was written
+
+  bool over() const { return last().over != 0; }
+  const TickReport& last() const { return monitor_.last(); }
+  const RunMonitor& monitor() const { return monitor_; }
+  Simulation& simulation() { return *simulation_; }
+
+ private:
+  std::unique_ptr<Simulation> simulation_;
+  std::optional<Recorder> recorder_;
+  RunMonitor monitor_;
+  uint32_t queued_ = 0;
+  bool recorded_ = false;
+};
+
+}  // namespace gw

@@ -1,0 +1,51 @@
+// Draws a run: background, everything that lives, rings, and then whatever screens put on the canvas.
+// Works in a window and headless alike; reads the run, never changes it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "game/camera.h"
+#include "game/run.h"
+#include "game/ui/canvas.h"
+#include "render/grid_pass.h"
+#include "render/quad_pass.h"
+#include "render/ring_pass.h"
+#include "render/sprite_pass.h"
+#include "render/text_pass.h"
+#include "render/vertex_stream.h"
+
+namespace gw {
+
+struct WorldFrame {
+  PixelSize target;
+  float alpha = 1;       // between the last two ticks
+  float brightness = 1;  // of the world; less behind menus
+};
+
+class WorldView {
+ public:
+  // Needs a current GL context. `capacity` is the simulation's; `cuda`: kernels write on a CUDA device.
+  // Throws UserError with ExitCode::badFile when an asset is missing or damaged.
+  WorldView(const std::filesystem::path& assets, uint32_t capacity, bool cuda);
+
+  using Screens = std::function<void(Canvas&)>;
+  void draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame, const Screens& screens);
+
+ private:
+  void drawRings(const Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame);
+
+  uint32_t capacity_;
+  std::unique_ptr<SpriteStream> stream_;
+  GridPass grid_;
+  SpritePass sprites_;
+  RingPass rings_;
+  QuadPass quads_;
+  TextPass text_;
+};
+
+// The camera's target at this moment between two ticks.
+FollowCamera::Target cameraTarget(const TickReport& report, float alpha);
+
+}  // namespace gw
