@@ -1,0 +1,138 @@
+// How long a frame takes to draw without a display: gw_bench_draw [--out FILE] [--frames N]
+//
+// Prints a Markdown table of medians: milliseconds from the first GL call of a frame until everything is drawn
+// (glFinish), at 1280x720, all sprites in view, every shape in equal parts.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "render/gl_context_egl.h"
+#include "render/grid_pass.h"
+#include "render/sprite_pass.h"
+#include "render/vertex_stream.h"
+
+namespace gw {
+namespace {
+
+constexpr PixelSize kSize{1280, 720};
+constexpr float kPixelsPerMetre = 18;  // the game's usual view, 40 m high
+constexpr Camera kCamera{96, 54, kSize.width / 2 / kPixelsPerMetre, kSize.height / 2 / kPixelsPerMetre};
+
+double medianFrame_ms(int frames, GlContext& context, const std::function<void()>& drawFrame) {
+  constexpr int kWarmUp = 5;  // shaders are compiled for the state they are first used in
+  std::vector<double> times_ms;
+  for (int i = -kWarmUp; i < frames; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    context.bindTarget();
+    drawFrame();
+    context.swap();
+    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
+    if (i >= 0) times_ms.push_back(passed.count());
+  }
+  std::nth_element(times_ms.begin(), times_ms.begin() + frames / 2, times_ms.end());
+  return times_ms[size_t(frames / 2)];
+}
+
+std::vector<SpriteVertex> sprites(uint32_t count, float diameter_px) {
+  constexpr uint32_t kShapes = 10;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> side(-1, 1);
+  std::vector<SpriteVertex> all;
+  for (uint32_t i = 0; i < count; ++i) {
+    const float x = kCamera.centre_x + side(random) * kCamera.halfWidth_m;
+    const float y = kCamera.centre_y + side(random) * kCamera.halfHeight_m;
+    all.push_back({x, y, x - .1f, y, side(random) * 3.14f, diameter_px / 2 / kPixelsPerMetre,
+                   i % kShapes | 200u << 16 | 255u << 24, 0x40C0FFu + i * 7919u % 0xFFFFu});
+  }
+  return all;
+}
+
+std::string processorName() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
+}
+
+std::string measure(int frames) {
+  const auto context = makeEglContext(kSize);
+  const std::filesystem::path assets = std::filesystem::path(GW_SOURCE_DIR) / "assets";
+  SpritePass pass(assets);
+  GridPass grid(assets);
+  const auto drawGrid = [&](float unrest) {
+    return [&grid, unrest] { grid.draw({.camera = kCamera, .target = kSize, .time_s = 1, .unrest = unrest}); };
+  };
+
+  std::ostringstream table;
+  table.setf(std::ios::fixed);
+  table.precision(1);
+  table << "# Drawing a frame\n\nMedian milliseconds of " << frames
+        << " frames until glFinish, 1280x720, all sprites in view, every shape in equal parts.\n\n- Machine: "
+        << processorName() << ", " << std::thread::hardware_concurrency()
+        << " cores\n- OpenGL: " << context->rendererName() << "\n- Command: `gw_bench_draw --frames " << frames
+        << "`\n\n";
+  table << "| what | ms |\n|---|---|\n| grid, calm | " << medianFrame_ms(frames, *context, drawGrid(0))
+        << " |\n| grid, torn | " << medianFrame_ms(frames, *context, drawGrid(1)) << " |\n\n";
+  table << "Grid and sprites, by glow:\n\n| sprites | across | off | low | high |\n|---|---|---|---|---|\n";
+  for (const uint32_t count : {2048u, 8192u}) {
+    VertexStream stream(count);
+    for (const float diameter_px : {8.0f, 16.0f, 24.0f}) {
+      const std::vector<SpriteVertex> scene = sprites(count, diameter_px);
+      table << "| " << count << " | " << int(diameter_px) << " px |";
+      for (const GlowQuality glow : {GlowQuality::off, GlowQuality::low, GlowQuality::high}) {
+        table << ' ' << medianFrame_ms(frames, *context, [&] {
+          drawGrid(0)();
+          const StreamRegion region = stream.begin();
+          std::memcpy(region.vertices, scene.data(), scene.size() * sizeof(SpriteVertex));
+          region.command->instanceCount = count;
+          stream.written();
+          pass.draw(region, {.camera = kCamera, .target = kSize, .glow = glow});
+          stream.end();
+        }) << " |";
+      }
+      table << '\n';
+    }
+  }
+  return table.str();
+}
+
+int run(int count, char** words) {
+  std::string out;
+  int frames = 41;
+  for (int i = 1; i + 1 < count; i += 2) {
+    if (std::strcmp(words[i], "--out") == 0) out = words[i + 1];
+    if (std::strcmp(words[i], "--frames") == 0) frames = std::atoi(words[i + 1]);
+  }
+  if (frames < 1) throw std::runtime_error("--frames needs a number of at least 1.");
+  const std::string table = measure(frames);
+  std::fputs(table.c_str(), stdout);
+  if (out.empty()) return 0;
+  std::ofstream file(out);
+  file << table;
+  if (!file.flush()) throw std::runtime_error("Cannot write " + out + ": choose a folder that exists.");
+  return 0;
+}
+
+}  // namespace
+}  // namespace gw
+
+int main(int count, char** words) {
+  try {
+    return gw::run(count, words);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
