@@ -5,6 +5,8 @@ if(NOT GW_RAPIDCHECK_INCLUDE_DIR OR NOT GW_RAPIDCHECK_LIBRARY)
   message(FATAL_ERROR "RapidCheck was not found: install librapidcheck-dev")
 endif()
 
+find_package(fmt REQUIRED)
+
 set(here ${CMAKE_CURRENT_LIST_DIR})
 add_executable(game_host_test
   ${here}/command_line_test.cpp
