@@ -1,7 +1,10 @@
 // How long a frame takes to draw without a display: gw_bench_draw [--out FILE] [--frames N]
 //
-// Prints a Markdown table of medians: milliseconds from the first GL call of a frame until everything is drawn
-// (glFinish), at 1280x720, all sprites in view, every shape in equal parts.
+// Prints a Markdown table of medians, at 1280x720, all sprites in view, every shape in equal parts: milliseconds
+// from the first GL call of a frame until everything is drawn (glFinish), and milliseconds of processor time on all
+// cores together. The second hardly moves when other programs want the cores too.
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -29,19 +32,36 @@ constexpr PixelSize kSize{1280, 720};
 constexpr float kPixelsPerMetre = 18;  // the game's usual view, 40 m high
 constexpr Camera kCamera{96, 54, kSize.width / 2 / kPixelsPerMetre, kSize.height / 2 / kPixelsPerMetre};
 
-double medianFrame_ms(int frames, GlContext& context, const std::function<void()>& drawFrame) {
+double processorTime_ms() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// "passed / processor", in milliseconds.
+std::string medianFrame(int frames, GlContext& context, const std::function<void()>& drawFrame) {
   constexpr int kWarmUp = 5;  // shaders are compiled for the state they are first used in
-  std::vector<double> times_ms;
+  std::vector<double> passed_ms, processor_ms;
   for (int i = -kWarmUp; i < frames; ++i) {
     const auto start = std::chrono::steady_clock::now();
+    const double processorStart_ms = processorTime_ms();
     context.bindTarget();
     drawFrame();
     context.swap();
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
-    if (i >= 0) times_ms.push_back(passed.count());
+    if (i < 0) continue;
+    passed_ms.push_back(passed.count());
+    processor_ms.push_back(processorTime_ms() - processorStart_ms);
   }
-  std::nth_element(times_ms.begin(), times_ms.begin() + frames / 2, times_ms.end());
-  return times_ms[size_t(frames / 2)];
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f / %.1f", median(passed_ms), median(processor_ms));
+  return text;
 }
 
 std::vector<SpriteVertex> sprites(uint32_t count, float diameter_px) {
@@ -58,12 +78,14 @@ std::vector<SpriteVertex> sprites(uint32_t count, float diameter_px) {
   return all;
 }
 
-std::string processorName() {
+std::string machineLine() {
+  std::string model = "unknown processor";
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+    if (line.rfind("model name", 0) == 0) model = line.substr(line.find(':') + 2);
   }
-  return "unknown processor";
+  return "Machine: " + model + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores; g++ " +
+         __VERSION__ + ".";
 }
 
 std::string measure(int frames) {
@@ -76,15 +98,14 @@ std::string measure(int frames) {
   };
 
   std::ostringstream table;
-  table.setf(std::ios::fixed);
-  table.precision(1);
-  table << "# Drawing a frame\n\nMedian milliseconds of " << frames
-        << " frames until glFinish, 1280x720, all sprites in view, every shape in equal parts.\n\n- Machine: "
-        << processorName() << ", " << std::thread::hardware_concurrency()
-        << " cores\n- OpenGL: " << context->rendererName() << "\n- Command: `gw_bench_draw --frames " << frames
+  table << "# Drawing a frame\n\n"
+        << "Medians of " << frames
+        << " frames until glFinish, 1280x720, all sprites in view, every shape in equal parts: milliseconds passed / "
+           "milliseconds of processor time on all cores together.\n\n"
+        << machineLine() << " OpenGL: " << context->rendererName() << ". Command: `gw_bench_draw --frames " << frames
         << "`\n\n";
-  table << "| what | ms |\n|---|---|\n| grid, calm | " << medianFrame_ms(frames, *context, drawGrid(0))
-        << " |\n| grid, torn | " << medianFrame_ms(frames, *context, drawGrid(1)) << " |\n\n";
+  table << "| what | ms |\n|---|---|\n| grid, calm | " << medianFrame(frames, *context, drawGrid(0))
+        << " |\n| grid, torn | " << medianFrame(frames, *context, drawGrid(1)) << " |\n\n";
   table << "Grid and sprites, by glow:\n\n| sprites | across | off | low | high |\n|---|---|---|---|---|\n";
   for (const uint32_t count : {2048u, 8192u}) {
     VertexStream stream(count);
@@ -92,7 +113,7 @@ std::string measure(int frames) {
       const std::vector<SpriteVertex> scene = sprites(count, diameter_px);
       table << "| " << count << " | " << int(diameter_px) << " px |";
       for (const GlowQuality glow : {GlowQuality::off, GlowQuality::low, GlowQuality::high}) {
-        table << ' ' << medianFrame_ms(frames, *context, [&] {
+        table << ' ' << medianFrame(frames, *context, [&] {
           drawGrid(0)();
           const StreamRegion region = stream.begin();
           std::memcpy(region.vertices, scene.data(), scene.size() * sizeof(SpriteVertex));
