@@ -7,6 +7,7 @@
 #include <cmath>
 #include <thread>
 
+#include "game/interrupt.h"
 #include "game/ui/theme.h"
 #include "game/user_error.h"
 
@@ -24,8 +25,7 @@ float aspectOf(PixelSize size) { return float(std::max(size.width, 1)) / float(s
 }  // namespace
 
 GameLoop::GameLoop(const Options& options) : fullscreen_(options.fullscreen) {
-  // Not on the grabbing side: a paused game must not keep a screen saver away, and X asks for none.
-  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  catchInterrupts();  // Ctrl-C closes the window, so that recordings are kept
   WindowOptions window;
   window.size = {int(options.width_px), int(options.height_px)};
   window.fullscreen = options.fullscreen;
@@ -50,7 +50,7 @@ void GameLoop::prepare(const std::filesystem::path& assets, uint32_t capacity, b
 bool GameLoop::beginFrame() {
   SDL_Event event;
   while (SDL_PollEvent(&event) != 0) {
-    if (event.type == SDL_QUIT) closed_ = true;  // the window's button, and SIGINT and SIGTERM by way of SDL
+    if (event.type == SDL_QUIT) closed_ = true;
     keys_.handle(event);
   }
   if (keys_.pressed(Action::fullscreen)) context_->setFullscreen(fullscreen_ = !fullscreen_);
@@ -58,7 +58,7 @@ bool GameLoop::beginFrame() {
   now_s_ = clock_s();
   if (last_s_ == 0) last_s_ = now_s_;
   pacer_.frame(now_s_);
-  return !closed_;
+  return !closed_ && !interrupted();
 }
 
 void GameLoop::runTicks(Run& run, const Rules& rules, const InputSource& input) {

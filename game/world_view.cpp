@@ -62,11 +62,8 @@ void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, c
   const float lost = 1 - budgetLeft(report.frameTime_us, rules.budget);
   GridFrame grid;
   grid.camera = view;
-  // The background counts from the middle of the world.
   grid.worldWidth_m = simulation.worldWidth_m();
   grid.worldHeight_m = simulation.worldHeight_m();
-  grid.camera.centre_x -= grid.worldWidth_m / 2;
-  grid.camera.centre_y -= grid.worldHeight_m / 2;
   grid.target = frame.target;
   grid.time_s = (float(report.tick) + frame.alpha) * kTick_s;
   grid.unrest = lost * lost;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/ui/format.h"
+#include "game/ui/shape_icon.h"
 #include "game/ui/theme.h"
 
 namespace gw {
@@ -16,16 +17,18 @@ std::string causeText(const RunMonitor& run, const Rules& rules) {
   const RunMonitor::Contact& contact = run.lastContact();
   const std::string limit = oneDecimal(framesPerSecond(rules.budget.limit_us)) + " FPS";
   if (contact.type >= rules.enemyTypeCount) return "the frame rate fell under " + limit;
-  return "a " + std::string(rules.enemies[contact.type].name) + " cost " + oneDecimal(contact.cost_us / 1000.0) +
+  const std::string name = rules.enemies[contact.type].name;
+  return std::string(name.find_first_of("aeiou") == 0 ? "an " : "a ") + name + " cost " + oneDecimal(contact.cost_us / 1000.0) +
          " ms: under " + limit;
 }
 
-// Kills by type, most first, as small coloured columns of name and number.
+// Kills by type as small columns of shape, number and name.
 void drawKills(Canvas& canvas, const TickReport& report, const Rules& rules, float baseline) {
   constexpr float kColumn = 118;
   float x = canvas.width() / 2 - kColumn * float(rules.enemyTypeCount - 1) / 2;
   for (uint32_t i = 0; i < rules.enemyTypeCount; ++i, x += kColumn) {
     const Rgba colour = rgbaOf(rules.enemies[i].colour);
+    drawShapeIcon(canvas, rules.enemies[i].shape, x, baseline - 28, 8, colour);
     canvas.text(withCommas(report.killsByType[i]), x, baseline, style(14, colour, TextAlign::centre, 0.4f));
     canvas.text(rules.enemies[i].name, x, baseline + 20, style(9, kQuiet, TextAlign::centre, 0));
   }
@@ -59,7 +62,7 @@ void drawGameOver(Canvas& canvas, const RunMonitor& run, const Rules& rules, con
   figure(middle - 100, withCommas(report.kills), "processed");
   figure(middle + 100, multiplierText(report.multiplierTenths), "multiplier");
   figure(middle + 300, std::to_string(report.wave), "wave");
-  drawKills(canvas, report, rules, 492);
+  drawKills(canvas, report, rules, 506);
 
   if (frame.canRetry) {
     const float pulse = 0.65f + 0.35f * float(std::sin(frame.time_s * 3.2));

@@ -47,6 +47,7 @@ void drawMeter(Canvas& canvas, const RunMonitor& run, const Rules& rules, double
   canvas.text("BUDGET", left - 16, kMeterTop + 11, style(11, kQuiet, TextAlign::right, 0.2f));
   canvas.text(oneDecimal(framesPerSecond(report.frameTime_us)) + " FPS", right + 16, kMeterTop + 12,
               style(14, colour, TextAlign::left, 0.5f));
+  if (realFps <= 0) return;  // a picture has no frame rate
   canvas.text("real " + std::to_string(int(std::lround(realFps))), right + 110, kMeterTop + 12,
               style(9, kQuiet, TextAlign::left, 0));
 }

@@ -1,6 +1,7 @@
 #include "game/ui/pause.h"
 
 #include "game/ui/format.h"
+#include "game/ui/shape_icon.h"
 #include "game/ui/theme.h"
 
 namespace gw {
@@ -10,11 +11,11 @@ using namespace theme;
 void drawPause(Canvas& canvas, const Rules& rules, const PauseFrame& frame) {
   const float middle = canvas.width() / 2;
   canvas.nextLayer();
-  canvas.rectangle(0, 0, canvas.width(), Canvas::kHeight, faded(kShade, 0.78f));
+  canvas.rectangle(0, 0, canvas.width(), Canvas::kHeight, faded(kShade, 0.84f));
   canvas.nextLayer();
-  canvas.text("PAUSED", middle, 190, style(48, kAccent, TextAlign::centre, 0.8f));
+  canvas.text("PAUSED", middle, 206, style(48, kAccent, TextAlign::centre, 0.8f));
 
-  float y = 252;
+  float y = 262;
   const auto key = [&](const char* name, const char* does) {
     canvas.text(name, middle - 12, y, style(13, kGold, TextAlign::right, 0.3f));
     canvas.text(does, middle + 12, y, style(13, kText, TextAlign::left, 0.1f));
@@ -36,7 +37,7 @@ void drawPause(Canvas& canvas, const Rules& rules, const PauseFrame& frame) {
     y += 26;
     const EnemyRules& type = rules.enemies[i];
     const Rgba colour = rgbaOf(type.colour);
-    canvas.outline(name + 2, y - 10, 11, 11, 2, colour);
+    drawShapeIcon(canvas, type.shape, name + 8, y - 5.5f, 8, colour);
     canvas.text(type.name, name + 26, y, style(12, colour, TextAlign::left, 0.3f));
     canvas.text(oneDecimal(type.contact_us / 1000.0) + " ms", cost, y, style(12, kText, TextAlign::right, 0));
     canvas.text(withCommas(type.value), value, y, style(12, kText, TextAlign::right, 0));

@@ -48,7 +48,7 @@ void drawTitle(Canvas& canvas, const TitleFrame& frame) {
   const double t = frame.time_s;
   const bool lit = t > 0.75 || std::fmod(t * 7.3, 1.0) > 0.35;
   TextStyle sign = style(92, faded(kAccent, lit ? 1.0f : 0.25f), TextAlign::centre, lit ? 0.9f : 0.1f);
-  sign.weight = 0.3f;
+  sign.weight = 0.27f;
   canvas.text("GPUWARS", middle, 290, sign);
   canvas.gradient(middle - 330, 322, 330, 2, faded(kAccent, 0), faded(kAccent, 0.8f));
   canvas.gradient(middle, 322, 330, 2, faded(kAccent, 0.8f), faded(kAccent, 0));

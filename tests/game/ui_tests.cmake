@@ -8,3 +8,8 @@ if(GW_WINDOW)
   target_link_libraries(game_input_test PRIVATE gw_input GTest::gtest_main)
   gtest_discover_tests(game_input_test)
 endif()
+
+add_executable(game_ui_test ui_test.cpp ui_font_test.cpp)
+target_compile_definitions(game_ui_test PRIVATE GW_SOURCE_ASSETS="${PROJECT_SOURCE_DIR}/assets")
+target_link_libraries(game_ui_test PRIVATE gw_ui GTest::gtest_main)
+gtest_discover_tests(game_ui_test)
