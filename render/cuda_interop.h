@@ -1,8 +1,8 @@
 // Sprites written by CUDA kernels straight into OpenGL's buffers. Same use as VertexStream; the addresses
 // in StreamRegion are device addresses. Only in builds with CUDA.
 //
-// Not exercised by the test-suite of a machine without a GPU: there it is compiled only. What must hold on
-// a machine with one: tests/render's stream tests pass with this stream in place of VertexStream.
+// Never run so far: compiled and read only, for want of a machine with a GPU and OpenGL on it. What must hold
+// there: a frame drawn from this stream equals the one that VertexStream draws from the same sprites.
 #pragma once
 
 #include <memory>
