@@ -278,6 +278,8 @@ ParsedCommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   } catch (const UsageError& error) {
     result.code = ExitCode::badUsage;
     result.error = error.what();
+    const auto isControl = [](char c) { return uint8_t(c) < 0x20 || c == 0x7f; };
+    std::replace_if(result.error.begin(), result.error.end(), isControl, '?');  // one line, whatever it quotes
   }
   return result;
 }

@@ -42,6 +42,15 @@ std::string shown(const toml::node& node) {
   return "a date or time";
 }
 
+// What a table quotes may hold line ends or run for pages: a message stays one line of bearable length.
+std::string oneLine(std::string text) {
+  constexpr size_t kStart = 300, kEnd = 200;
+  if (text.size() > kStart + kEnd) text.replace(kStart, text.size() - kStart - kEnd, " ... ");
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return uint8_t(c) < 0x20 || c == 0x7f; }, '?');
+  return text;
+}
+
 void checkLines(const RuleText& text) {
   size_t line = 1, length = 0;
   for (char c : text.text) {
@@ -57,7 +66,7 @@ void checkLines(const RuleText& text) {
 // The one place where keys are looked up; remembers that the key is known.
 const toml::node& find(const TomlTable& reader, const toml::table& table, std::vector<std::string>& known,
                        std::string_view key, const char* kind) {
-  known.emplace_back(key);
+  if (std::find(known.begin(), known.end(), key) == known.end()) known.emplace_back(key);
   const toml::node* node = table.get(key);
   if (!node) reader.refuse(key, fmt::format("the key is missing; add it with {}", kind));
   return *node;
@@ -81,14 +90,15 @@ TomlTable TomlTable::parse(const RuleText& text) {
     return TomlTable(std::make_unique<Impl>(Impl{std::move(document), text.name, node, "", {}}));
   } catch (const toml::parse_error& error) {
     throw TableError(fmt::format("{}, line {}: this is not TOML ({}); correct the line", text.name,
-                                 std::max<uint32_t>(1, error.source().begin.line), error.description()));
+                                 std::max<uint32_t>(1, error.source().begin.line),
+                                 oneLine(std::string(error.description()))));
   }
 }
 
 void TomlTable::refuse(std::string_view key, const std::string& complaint) const {
   const toml::node* node = impl_->node->get(key);
   throw TableError(fmt::format("{}, line {}, {}{}: {}", impl_->file, lineOf(node ? *node : *impl_->node), impl_->path,
-                               key, complaint));
+                               oneLine(std::string(key)), oneLine(complaint)));
 }
 
 float TomlTable::number(std::string_view key, double least, double most) {

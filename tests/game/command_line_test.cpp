@@ -226,10 +226,11 @@ TEST_P(CommandLineRefusal, IsOneSentenceAndExitCodeTwo) {
 
 INSTANTIATE_TEST_SUITE_P(Each, CommandLineRefusal, ::testing::ValuesIn(kRefusals));
 
-TEST(CommandLine, EmptyArgumentsAreRefused) {
+TEST(CommandLine, EmptyAndOddArgumentsAreRefused) {
   EXPECT_EQ(parseCommandLine({""}).code, ExitCode::badUsage);
   EXPECT_EQ(parseCommandLine({"verify", ""}).error, "a file name is empty; give the file's name");
   EXPECT_EQ(parseCommandLine({"--record", ""}).error, "'--record' has an empty name; give it a file name");
+  EXPECT_EQ(parseCommandLine({"--mode", "a\nb"}).error, "'--mode a?b' is not known; choose arcade");
   EXPECT_EQ(parseCommandLine({"--mode", ""}).error, "'--mode ' is not known; choose arcade");
 }
 

@@ -45,6 +45,8 @@ const Damage kDamages[] = {
     {"NameTooLong", File::enemies, "\"quad\"", "\"quadrilateral_xx\"", "enemy[1].name", "is not a name"},
     {"NameEmpty", File::enemies, "\"quad\"", "\"\"", "enemy[1].name", "is not a name"},
     {"NameWithSpace", File::enemies, "\"quad\"", "\"a b\"", "enemy[1].name", "is not a name"},
+    {"NameWithLineEnd", File::enemies, "\"quad\"", "\"a\\nb\"", "enemy[1].name", "'a?b' is not a name"},
+    {"KeyWithLineEnd", File::enemies, "bits = 6", "bits = 6\n\"a\\nb\" = 1", "enemy[2].a?b", "not known", 1},
     {"ColourTooLarge", File::enemies, "0xffb000", "0x1ffb000", "enemy[0].colour", "out of range"},
     {"ShortSight", File::enemies, "vision_m = 4\nenergy = 16", "vision_m = 2\nenergy = 16", "enemy[2].vision_m",
      "give at least 2.40"},
@@ -164,6 +166,15 @@ TEST(TableLimits, LongTextsAndLines) {
   EXPECT_NE(refusalOf(texts).find("longer than 200 characters; break it"), std::string::npos) << refusalOf(texts);
   texts.game.text.assign(kMaxRuleText + 1, '\n');
   EXPECT_NE(refusalOf(texts).find("longer than 262144 bytes"), std::string::npos) << refusalOf(texts);
+}
+
+TEST(TableLimits, LongQuotesAreShortened) {
+  RuleTexts texts = assets();
+  std::string name;
+  for (int i = 0; i < 500; ++i) name += std::string(190, 'x') + "\n";
+  texts.enemies.text.replace(texts.enemies.text.find("\"quad\""), 6, "\"\"\"" + name + "\"\"\"");
+  EXPECT_NE(refusalOf(texts).find("xxx ... "), std::string::npos);
+  EXPECT_LT(refusalOf(texts).size(), 700u);
 }
 
 // What would need a stack frame per level if it were allowed to nest.
