@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -11,7 +12,8 @@ namespace gw {
 
 void* GuardedMemory::allocate(size_t bytes) {
   const size_t page = size_t(sysconf(_SC_PAGESIZE));
-  const size_t rounded = std::max(page, (bytes + page - 1) / page * page);
+  // What cannot be rounded up is asked for as it is, and refused.
+  const size_t rounded = bytes > SIZE_MAX - page ? bytes : std::max(page, (bytes + page - 1) / page * page);
   const int protection = protect_ && depth_ == 0 ? PROT_NONE : PROT_READ | PROT_WRITE;
   void* start = mmap(nullptr, rounded, protection, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (start == MAP_FAILED) {

@@ -18,6 +18,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
+#include "gpu/plain_types.h"
 #include "gpu/sort_keys.h"
 
 namespace gw::GW_DEVICE {
@@ -30,8 +31,10 @@ struct NDimensions {
   uint32_t cells() const { return columns * rows; }
 };
 
-// Dimensions for at least n cells in whole rows, the row about 5 times as long as the column: with fewer,
-// longer rows a gather pays less often for the two ends of a span (bench/neighbours). Throws
+// Dimensions for at least n cells in whole rows, the row about 24 times as long as the column: what an exact
+// gather pays is the two ends of its span in each row met, so fewer, longer rows are faster although they
+// test more candidates. bench/tick, uniform, 8,192 enemies, processor time per tick by that ratio: 3: 1.30,
+// 5: 1.27, 8: 1.26, 14: 1.12, 24: 1, 40: 1.04, 80: 0.97. Throws
 // std::invalid_argument when n does not fit kLongestLine squared.
 NDimensions chooseDimensions(uint32_t n);
 

@@ -152,8 +152,8 @@ struct TakeByKeys {
 NDimensions chooseDimensions(uint32_t n) {
   // Odd multiples of 16 cells: a stride that is a power of two would put a whole column into one cache set.
   uint32_t columns = 16;
-  while (uint64_t(columns) * columns < 5ull * n && columns + 32 <= kLongestLine) columns += 32;
-  NDimensions found{columns, (n + columns - 1) / columns};
+  while (uint64_t(columns) * columns < 24ull * n && columns + 32 <= kLongestLine) columns += 32;
+  NDimensions found{columns, n / columns + (n % columns ? 1 : 0)};
   if (found.rows == 0) found.rows = 1;
   if (found.rows > kLongestLine) {
     throw std::invalid_argument("An NGrid of " + std::to_string(n) + " cells is too large: at most " +
@@ -162,20 +162,24 @@ NDimensions chooseDimensions(uint32_t n) {
   return found;
 }
 
+// Before anything is allocated for them, and while their product may not fit 32 bits.
+static NDimensions checked(NDimensions dimensions) {
+  if (dimensions.columns == 0 || dimensions.columns > kLongestLine || dimensions.rows == 0 ||
+      dimensions.rows > kLongestLine) {
+    throw std::invalid_argument("An NGrid has 1 to " + std::to_string(kLongestLine) + " rows and columns.");
+  }
+  return dimensions;
+}
+
 NGrid::NGrid(Queue& queue, NDimensions dimensions)
-    : dimensions_(dimensions),
+    : dimensions_(checked(dimensions)),
       low_(queue, dimensions.rows),
       high_(queue, dimensions.rows),
       reachHigh_(queue, dimensions.rows),
       reachLow_(queue, dimensions.rows),
       living_(queue, dimensions.rows),
       byY_(queue, dimensions.cells()),
-      scratch_(queue, dimensions.cells()) {
-  if (dimensions.columns == 0 || dimensions.columns > kLongestLine || dimensions.rows == 0 ||
-      dimensions.rows > kLongestLine) {
-    throw std::invalid_argument("An NGrid has 1 to " + std::to_string(kLongestLine) + " rows and columns.");
-  }
-}
+      scratch_(queue, dimensions.cells()) {}
 
 NGridView NGrid::view(const Cell* d_cells) const {
   return {d_cells,       dimensions_.columns, dimensions_.rows,  low_.data(),

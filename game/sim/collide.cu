@@ -27,7 +27,8 @@ GW_FN bool canBeHit(const View& v, uint32_t id) {
   return v.nextForceEnergy[id].w > 0.0f && v.state[id].x != uint32_t(State::dead) && !isAnnounced(v, id);
 }
 
-GW_FN float enemyStep_m(const View& v) { return v.tables->limits.fastestEnemy_mps * kTick_s; }
+// The farthest that any enemy moved in this tick.
+GW_FN float enemyStep_m(const View& v) { return sqrtf(floatOf(uint32_t(v.scratch->longestStep2))) + kMargin_m; }
 
 // One item: one id. Nobody has picked anybody yet.
 struct ClearChoices {
@@ -84,7 +85,7 @@ struct Suffer {
     const Cell to = v.moved[i];
     if (v.chosenBy[from.id] > 0) takeShots(from);
     if (!isAnnounced(v, from.id)) meetShip(from, to);
-    v.push[from.id] = separation(from, to);
+    respond(from.id, separation(from, to));
   }
 
  private:
@@ -157,13 +158,16 @@ struct Suffer {
     const Rules& r = v.tables->rules;
     const EnemyRules& own = r.enemies[from.type];
     const float mass = v.nextDirectionMass[from.id].z;
-    const float reach = reachOf(own) + v.tables->limits.largestReach_m + 2.0f * enemyStep_m(v) + kMargin_m;
+    const float steps = 2.0f * enemyStep_m(v), reach = reachOf(own) + v.tables->limits.largestReach_m + steps;
+    const float near_x = own.halfWidth_m + steps, near_y = own.halfHeight_m + steps;
     FixedSum2 sum;
-    search(from.x, from.y, reach, [&](const Cell& other, uint32_t place, float, float) {
-      if (other.id == from.id || !isEnemy(other.type)) return;
+    search(from.x, from.y, reach, [&](const Cell& other, uint32_t place, float dx, float dy) {
+      if (!isEnemy(other.type) || other.id == from.id) return;
+      const EnemyRules& theirs = r.enemies[other.type];
+      // Most are out of reach even by their boxes, and need not be looked up.
+      if (magnitude(dx) > near_x + theirs.halfWidth_m || magnitude(dy) > near_y + theirs.halfHeight_m) return;
       const Cell end = v.moved[place];
-      const Float2 deep = overlap(own, r.enemies[other.type], to.x - end.x, to.y - end.y,
-                                  from.id < other.id ? 1.0f : -1.0f);
+      const Float2 deep = overlap(own, theirs, to.x - end.x, to.y - end.y, from.id < other.id ? 1.0f : -1.0f);
       if (deep.x == 0.0f && deep.y == 0.0f) return;
       if (v.state[other.id].x == uint32_t(State::dead)) return;
       const float otherMass = v.nextDirectionMass[other.id].z;
@@ -174,6 +178,21 @@ struct Suffer {
     const float speed = length(push.x, push.y), most = r.steering.separation_mps;
     if (speed <= most) return push;
     return {push.x * (most / speed), push.y * (most / speed)};
+  }
+
+  // Moves by the push in the next tick; and what flies against it loses that part of its velocity, the more
+  // the harder the push. Without this a crowd faster than the push would shrink to a point.
+  GW_BODY void respond(uint32_t id, Float2 push) const {
+    v.push[id] = push;
+    const float speed = length(push.x, push.y);
+    if (!(speed > 0.0f)) return;
+    Float4 motion = v.velocityPrevious[id];
+    const float against = (motion.x * push.x + motion.y * push.y) / speed;
+    if (against >= 0.0f) return;
+    const float lost = against * (speed / v.tables->rules.steering.separation_mps) / speed;
+    motion.x -= push.x * lost;
+    motion.y -= push.y * lost;
+    v.velocityPrevious[id] = motion;
   }
 };
 

@@ -51,6 +51,9 @@ struct Integrate {
     v.velocityPrevious[cell.id] = motion;
     v.nextDirectionMass[cell.id] = direction;
     v.moved[i] = {x + 0.0f, y + 0.0f, cell.id, cell.type};
+    // Squared steps are not negative, so their bits are ordered as they are.
+    const float dx = x - cell.x, dy = y - cell.y;
+    atomicRaiseTo(v.scratch->longestStep2, bitsOf(dx * dx + dy * dy));
   }
 
   // Walls turn an enemy round; it never leaves the world.

@@ -20,6 +20,7 @@ struct MasterThread {
     s.shotSounds = s.waveSounds = s.flushSounds = s.overSounds = s.contactSounds = 0;
     s.contactType = kTypeNone;
     s.contactCost_us = 0;
+    s.longestStep2 = 0;
     if (m.over) return;
 
     ++m.tick;

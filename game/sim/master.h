@@ -91,6 +91,7 @@ struct TickScratch {
   uint32_t shotSounds = 0, waveSounds = 0, flushSounds = 0, overSounds = 0, contactSounds = 0;
   uint32_t contactType = kTypeNone, contactCost_us = 0;
   uint64_t entityHash = 0;
+  uint64_t longestStep2 = 0;  // bits of the largest squared step of an enemy (m^2), made by integrate
 };
 
 // Numbers that follow from the rules and the options, computed once on the host.

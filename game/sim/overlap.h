@@ -10,10 +10,12 @@ namespace gw::GW_DEVICE {
 // (dx, dy) from the middle of b to the middle of a. A zero vector when they do not overlap. `odd` tells
 // which of two coincident bodies goes which way: +1 for one of them, -1 for the other.
 GW_FN Float2 overlap(const EnemyRules& a, const EnemyRules& b, float dx, float dy, float odd) {
+  if (magnitude(dx) >= a.halfWidth_m + b.halfWidth_m || magnitude(dy) >= a.halfHeight_m + b.halfHeight_m) {
+    return {0.0f, 0.0f};  // their boxes are apart: the common case, without a root
+  }
   if (a.bounds == Bounds::rectangle && b.bounds == Bounds::rectangle) {
     const float deep_x = a.halfWidth_m + b.halfWidth_m - magnitude(dx);
     const float deep_y = a.halfHeight_m + b.halfHeight_m - magnitude(dy);
-    if (deep_x <= 0.0f || deep_y <= 0.0f) return {0.0f, 0.0f};
     if (deep_x < deep_y) return {dx > 0.0f || (dx == 0.0f && odd > 0.0f) ? deep_x : -deep_x, 0.0f};
     return {0.0f, dy > 0.0f || (dy == 0.0f && odd > 0.0f) ? deep_y : -deep_y};
   }
