@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <thread>
 
 #include "game/interrupt.h"
@@ -20,12 +21,29 @@ double clock_s() {
   return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
+bool set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+// Decides what SDL would find out noisily: its Wayland client complains on stderr when there is none.
+void chooseDisplay() {
+  if (set("SDL_VIDEODRIVER") || set("WAYLAND_DISPLAY")) return;
+  if (!set("DISPLAY")) {
+    throw UserError(ExitCode::failedRun,
+                    "No display: neither DISPLAY nor WAYLAND_DISPLAY is set; use --headless, or start GpuWars in a "
+                    "desktop session.");
+  }
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
+}
+
 float aspectOf(PixelSize size) { return float(std::max(size.width, 1)) / float(std::max(size.height, 1)); }
 
 }  // namespace
 
 GameLoop::GameLoop(const Options& options) : fullscreen_(options.fullscreen) {
   catchInterrupts();  // Ctrl-C closes the window, so that recordings are kept
+  chooseDisplay();
   WindowOptions window;
   window.size = {int(options.width_px), int(options.height_px)};
   window.fullscreen = options.fullscreen;
@@ -87,7 +105,8 @@ void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const Wo
     // Nothing has been simulated yet, so nobody knows where the ship is: the middle of the world.
     camera_->snap({run.simulation().worldWidth_m() / 2, run.simulation().worldHeight_m() / 2, 0, 0}, aspectOf(size));
   } else {
-    camera_->follow(cameraTarget(run.last(), alpha), aspectOf(size), float(now_s_ - last_s_));
+    const double passed_s = pacer_.paused() ? 0 : now_s_ - last_s_;
+    camera_->follow(cameraTarget(run.last(), alpha), aspectOf(size), float(passed_s));
   }
   context_->bindTarget();
   view_->draw(run, rules, *camera_, {size, alpha, brightness}, screens);
@@ -98,8 +117,7 @@ void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const Wo
 
 void GameLoop::startAfresh(Run& run) {
   camera_ = std::make_unique<FollowCamera>(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
-  pacer_ = TickPacer();
-  pacer_.frame(now_s_);
+  pacer_ = TickPacer();  // its clock starts with the next frame: loading is not playing
 }
 
 void GameLoop::showCursor(bool on) {

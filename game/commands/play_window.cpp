@@ -87,7 +87,7 @@ class PlaySession {
     if (options_.autopilot == Autopilot::novice) hud.banner = "NOVICE AUTOPILOT";
     if (options_.autopilot == Autopilot::expert) hud.banner = "EXPERT AUTOPILOT";
     drawHud(canvas, run_->monitor(), rules, hud);
-    if (screen_ == Screen::play) loop_.drawCrosshair(canvas);
+    if (screen_ == Screen::play && options_.autopilot == Autopilot::none) loop_.drawCrosshair(canvas);
     if (screen_ == Screen::pause) drawPause(canvas, rules, {});
     if (screen_ == Screen::over) drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true});
   }

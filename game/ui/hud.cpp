@@ -124,7 +124,7 @@ void drawHud(Canvas& canvas, const RunMonitor& run, const Rules& rules, const Hu
   if (!frame.banner.empty()) {
     canvas.text(frame.banner, canvas.width() / 2, bottom, style(13, kGold, TextAlign::centre, 0.4f));
   }
-  if (frame.droppedTicks > 0) {
+  if (frame.droppedTicks >= kTicksPerSecond) {
     canvas.text("slow machine: " + minutesSeconds(uint32_t(frame.droppedTicks)) + " of time dropped",
                 canvas.width() - kMargin, bottom, style(9, kQuiet, TextAlign::right, 0));
   }

@@ -41,7 +41,7 @@ void drawControls(Canvas& canvas, float baseline) {
 
 void drawTitle(Canvas& canvas, const TitleFrame& frame) {
   const float middle = canvas.width() / 2;
-  canvas.rectangle(0, 0, canvas.width(), Canvas::kHeight, faded(kShade, 0.55f));
+  canvas.rectangle(0, 0, canvas.width(), Canvas::kHeight, faded(kShade, 0.35f));
   canvas.nextLayer();
 
   // The sign switches on like a tube: a few flickers in the first second, then steady.

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Plays with real keys in a real window: title, play, move, shoot, pause, resume, leave; then checks the recording.
+
+    play_e2e.py GPUWARS FOLDER      needs Xvfb, xdotool and ImageMagick's import; pictures stay in FOLDER
+"""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from program import Failures, run, skip, without_display
+
+SIZE = (1280, 720)
+
+
+class Screen:
+    """An X server of our own."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        reader, writer = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24", "-nolisten", "tcp"],
+            pass_fds=[writer], stderr=subprocess.DEVNULL)
+        os.close(writer)
+        number = os.read(reader, 16).decode().strip()
+        os.close(reader)
+        self.environment = {**without_display(), "DISPLAY": f":{number}", "SDL_VIDEODRIVER": "x11"}
+        for _ in range(100):  # the number comes before the door opens
+            answer = subprocess.run(["xdotool", "getdisplaygeometry"], env=self.environment,
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            if answer.returncode == 0:
+                break
+            time.sleep(0.1)
+
+    def keys(self, *arguments):
+        subprocess.run(["xdotool", *arguments], env=self.environment, check=True)
+
+    def picture(self, name=None):
+        """The screen's pixels; with a name they are kept as a PNG too."""
+        pixels = subprocess.run(["import", "-window", "root", "-depth", "8", "rgb:-"], env=self.environment,
+                                check=True, stdout=subprocess.PIPE).stdout
+        if name:
+            subprocess.run(["import", "-window", "root", str(self.folder / name)], env=self.environment, check=True)
+        return pixels
+
+    def wait_for(self, condition, seconds=60):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if condition(self.picture()):
+                return True
+            time.sleep(0.3)
+        return False
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+
+
+def lit(pixels):
+    """How many bytes of the picture are bright."""
+    return sum(1 for byte in pixels[::7] if byte > 150)
+
+
+def main():
+    program, folder = sys.argv[1], Path(sys.argv[2])
+    for tool in ("Xvfb", "xdotool", "import"):
+        if shutil.which(tool) is None:
+            skip(f"{tool} is not installed")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    failures = Failures()
+    recording = folder / "played.gwr"
+    screen = Screen(folder)
+    game = subprocess.Popen([program, "--record", recording, "--seed", "7", "--mute"], env=screen.environment,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    try:
+        failures.check(screen.wait_for(lambda pixels: lit(pixels) > 2000), "the title appears")
+        time.sleep(1)
+        title = screen.picture("title.png")
+
+        screen.keys("key", "Return")
+        time.sleep(1)
+        playing = screen.picture("play.png")
+        failures.check(playing != title, "Enter starts at once")
+        screen.keys("keydown", "d", "keydown", "Up")
+        time.sleep(1.5)
+        screen.keys("keyup", "Up", "keydown", "w", "keydown", "Left")
+        time.sleep(1)
+        screen.picture("shooting.png")
+        screen.keys("key", "space")
+        time.sleep(0.3)
+        screen.keys("keyup", "d", "keyup", "w", "keyup", "Left")
+
+        screen.keys("key", "Escape")
+        time.sleep(1)
+        paused = screen.picture("pause.png")
+        time.sleep(1)
+        header = SIZE[0] * 60 * 3  # but for the real frame rate, which is real
+        failures.check(screen.picture()[header:] == paused[header:], "nothing moves while paused")
+        screen.keys("key", "Escape")
+        time.sleep(1)
+        resumed = screen.picture("resumed.png")
+        time.sleep(0.5)
+        failures.check(resumed != paused and screen.picture() != resumed, "Escape resumes")
+
+        screen.keys("key", "Escape")
+        time.sleep(0.7)
+        screen.keys("key", "q")
+        time.sleep(1)
+        failures.check(game.poll() is None, "Q in the pause leads to the title")
+        failures.check(recording.is_file(), "leaving the run writes the recording")
+        screen.keys("key", "Escape")
+        code = game.wait(timeout=30)
+        stdout, stderr = (stream.decode() for stream in (game.stdout.read(), game.stderr.read()))
+        failures.check(code == 0 and stderr == "", f"Escape in the title leaves: exit {code}, {stderr!r}")
+        failures.check("recorded to" in stdout, "it says where the recording is")
+
+        code, out, _ = run(program, "verify", recording, "--json", "-")
+        failures.check(code == 0, "the recording verifies")
+        replay = json.loads(out)["replays"][0]
+        print({key: replay[key] for key in ("ticks", "travelled_m", "shots", "flushes", "score")})
+        failures.check(replay["ticks"] > 60, "a second or more was played")
+        failures.check(replay["travelled_m"] > 5, "the ship moved")
+        failures.check(replay["shots"] >= 5, "shots were fired")
+        failures.check(replay["flushes"] == 1, "one press of space is one flush")
+
+        # A run that is killed from outside keeps its recording too.
+        killed = folder / "killed.gwr"
+        game = subprocess.Popen([program, "--autopilot", "novice", "--seed", "3", "--record", killed, "--mute"],
+                                env=screen.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        screen.wait_for(lambda pixels: lit(pixels) > 500)
+        time.sleep(2)
+        game.send_signal(signal.SIGTERM)
+        failures.check(game.wait(timeout=30) == 0 and run(program, "verify", killed)[0] == 0,
+                       "a run ended by SIGTERM leaves a valid recording")
+    finally:
+        if game.poll() is None:
+            game.kill()
+        screen.close()
+    failures.finish()
+
+
+if __name__ == "__main__":
+    main()
