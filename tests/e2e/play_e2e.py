@@ -24,11 +24,12 @@ class Screen:
         self.folder = folder
         reader, writer = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24", "-nolisten", "tcp",
+             "-noreset"],
             pass_fds=[writer], stderr=subprocess.DEVNULL)
         os.close(writer)
-        number = os.read(reader, 16).decode().strip()
-        os.close(reader)
+        with os.fdopen(reader) as answer:  # to the end of the line: the server dies of a pipe closed early
+            number = answer.readline().strip()
         self.environment = {**without_display(), "DISPLAY": f":{number}", "SDL_VIDEODRIVER": "x11"}
         for _ in range(100):  # the number comes before the door opens
             answer = subprocess.run(["xdotool", "getdisplaygeometry"], env=self.environment,
