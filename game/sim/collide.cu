@@ -30,6 +30,13 @@ GW_FN bool canBeHit(const View& v, uint32_t id) {
 // The farthest that any enemy moved in this tick.
 GW_FN float enemyStep_m(const View& v) { return sqrtf(floatOf(uint32_t(v.scratch->longestStep2))) + kMargin_m; }
 
+// Where a shot comes to in this tick when it meets nobody. Not from `moved`: integrate has taken out of it
+// the shots that leave the world or end now, and what stands in their last way is hit all the same.
+GW_FN Float2 endOfFlight(const View& v, const Cell& from) {
+  const Float4 motion = v.velocityPrevious[from.id];
+  return {from.x + motion.x * kTick_s, from.y + motion.y * kTick_s};
+}
+
 // One item: one id. Nobody has picked anybody yet.
 struct ClearChoices {
   View v;
@@ -47,8 +54,9 @@ struct ChooseVictims {
   Search search;
 
   GW_BODY void operator()(uint32_t i) const {
-    if (v.moved[i].type != kTypeShot || v.master->over) return;
-    const Cell from = v.cells[i], to = v.moved[i];
+    const Cell from = v.cells[i];
+    if (from.type != kTypeShot || v.master->over) return;
+    const Float2 to = endOfFlight(v, from);
     const Rules& r = v.tables->rules;
     const float dx = to.x - from.x, dy = to.y - from.y;
     const uint32_t last = v.target[from.id], lastButOne = v.state[from.id].w;
@@ -201,21 +209,21 @@ struct FinishShots {
   View v;
 
   GW_BODY void operator()(uint32_t i) const {
-    const Cell to = v.moved[i];
-    if (to.type != kTypeShot || v.master->over) return;
-    const uint32_t victim = v.choice[to.id];
-    if (victim == kNobody) return;
     const Cell from = v.cells[i];
-    const float t = v.choiceTime[to.id];
-    Cell end = {from.x + (to.x - from.x) * t + 0.0f, from.y + (to.y - from.y) * t + 0.0f, to.id, to.type};
-    if (v.spent[to.id]) {
-      Uint4 state = v.state[to.id];
+    if (from.type != kTypeShot || v.master->over) return;
+    const uint32_t victim = v.choice[from.id];
+    if (victim == kNobody) return;
+    const Float2 to = endOfFlight(v, from);
+    const float t = v.choiceTime[from.id];
+    Cell end = {from.x + (to.x - from.x) * t + 0.0f, from.y + (to.y - from.y) * t + 0.0f, from.id, from.type};
+    Uint4 state = v.state[from.id];
+    if (v.spent[from.id]) {
       state.z -= 1;
-      state.w = v.target[to.id];
-      v.state[to.id] = state;
-      v.target[to.id] = victim;
-      if (state.z == 0) end = {kInfinity, kInfinity, to.id, kTypeNone};
+      state.w = v.target[from.id];
+      v.state[from.id] = state;
+      v.target[from.id] = victim;
     }
+    if (state.y == 0 || state.z == 0) end = {kInfinity, kInfinity, from.id, kTypeNone};
     v.moved[i] = end;
   }
 };
