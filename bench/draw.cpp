@@ -20,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include "bench/machine.h"
 #include "render/gl_context_egl.h"
 #include "render/grid_pass.h"
 #include "render/sprite_pass.h"
@@ -76,16 +77,6 @@ std::vector<SpriteVertex> sprites(uint32_t count, float diameter_px) {
                    i % kShapes | 200u << 16 | 255u << 24, 0x40C0FFu + i * 7919u % 0xFFFFu});
   }
   return all;
-}
-
-std::string machineLine() {
-  std::string model = "unknown processor";
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) model = line.substr(line.find(':') + 2);
-  }
-  return "Machine: " + model + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores; g++ " +
-         __VERSION__ + ".";
 }
 
 std::string measure(int frames) {
