@@ -1,0 +1,102 @@
+// Whole games on both devices: the same hash after every tick and the same snapshot at the end, with either
+// broad phase and any block size on cuda.
+#include <cstring>
+#include <stdexcept>
+
+#include "game/sim/simulation.h"
+#include "game/tables/tables.h"
+#include "tests/gpu/parity_fixture.h"
+
+namespace gw::test {
+namespace {
+
+constexpr uint32_t kTicks = 300;
+
+SimulationConfig configOf(Mode mode) {
+  SimulationConfig config;
+  config.rules = loadRules(readRuleTexts(assetFolder()));
+  config.seed = 0xC0FFEE;
+  config.mode = mode;
+  config.enemies = 2048;
+  config.autopilot = Autopilot::expert;
+  return config;
+}
+
+std::unique_ptr<Simulation> makeOnCuda([[maybe_unused]] const SimulationConfig& config) {
+#ifdef GW_HAVE_CUDA
+  return cuda::makeSimulation(config);
+#else
+  throw std::logic_error("This build has no cuda device.");  // the fixture has skipped the test before
+#endif
+}
+
+struct Game {
+  std::vector<uint64_t> hashes;
+  std::vector<InputRecord> inputs;
+  Snapshot end;
+};
+
+Game play(Simulation& simulation) {
+  Game game;
+  for (uint32_t tick = 0; tick < kTicks; ++tick) {
+    simulation.tick({});
+    const TickReport report = simulation.report();
+    game.hashes.push_back(report.hash);
+    game.inputs.push_back(report.input);
+  }
+  game.end = simulation.snapshot();
+  return game;
+}
+
+// The first thing in which two games differ; empty when they are the same.
+std::string difference(const Game& expected, const Game& actual) {
+  for (uint32_t tick = 0; tick < kTicks; ++tick) {
+    if (expected.inputs[tick] != actual.inputs[tick])
+      return "the autopilot's input at tick " + std::to_string(tick + 1);
+    if (expected.hashes[tick] != actual.hashes[tick]) return "the hash of tick " + std::to_string(tick + 1);
+  }
+  if (expected.end.master != actual.end.master) return "the master in the snapshot";
+  if (expected.end.entities.size() != actual.end.entities.size()) return "the number of entities in the snapshot";
+  for (size_t i = 0; i < expected.end.entities.size(); ++i) {
+    if (std::memcmp(&expected.end.entities[i], &actual.end.entities[i], sizeof(EntityRecord)) != 0) {
+      return "entity " + std::to_string(expected.end.entities[i].id) + " in the snapshot";
+    }
+  }
+  return "";
+}
+
+class GameParity : public ParityTest, public testing::WithParamInterface<Mode> {};
+
+TEST_P(GameParity, EveryTickHasTheSameHash) {
+  SimulationConfig config = configOf(GetParam());
+  const Game expected = play(*cpu::makeSimulation(config));
+  ASSERT_GT(expected.end.entities.size(), 10u) << "too little happened to compare";
+  EXPECT_NE(expected.hashes.front(), expected.hashes.back());
+  for (BroadPhase broadPhase : {BroadPhase::ngrid, BroadPhase::bruteForce}) {
+    for (uint32_t blockSize : {64u, 128u, 256u}) {
+      config.broadPhase = broadPhase;
+      config.blockSize = blockSize;
+      const Game actual = play(*makeOnCuda(config));
+      EXPECT_EQ(difference(expected, actual), "")
+          << "differs; broad phase " << uint32_t(broadPhase) << ", blocks of " << blockSize;
+    }
+  }
+}
+
+class SnapshotParity : public ParityTest {};
+
+TEST_F(SnapshotParity, ContinuesOnTheOtherDevice) {
+  const SimulationConfig config = configOf(Mode::arcade);
+  const auto cpuGame = cpu::makeSimulation(config);
+  const Game first = play(*cpuGame);
+  const auto cudaGame = makeOnCuda(config);
+  cudaGame->restore(first.end);
+  const Game onCpu = play(*cpuGame), onCuda = play(*cudaGame);
+  EXPECT_EQ(difference(onCpu, onCuda), "") << "differs";
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, GameParity, testing::Values(Mode::arcade, Mode::swarm),
+                         [](const auto& info) { return info.param == Mode::arcade ? "arcade" : "swarm"; });
+
+}  // namespace
+}  // namespace gw::test

@@ -1,0 +1,217 @@
+#include "tests/gpu/parity_cases.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "tests/gpu/random_cells.h"
+
+namespace gw::test {
+namespace {
+
+// Appends the elements of any plain vector, each as one or more words.
+template <class T>
+void append(Words& words, const std::vector<T>& values) {
+  constexpr size_t kWords = (sizeof(T) + 7) / 8;
+  words.push_back(values.size());
+  for (const T& value : values) {
+    uint64_t raw[kWords] = {};
+    std::memcpy(raw, &value, sizeof(T));
+    words.insert(words.end(), raw, raw + kWords);
+  }
+}
+
+Words wordsOf(const GridState& state) {
+  Words words;
+  append(words, state.cells);
+  append(words, state.cellOf);
+  append(words, state.living);
+  append(words, state.low);
+  append(words, state.high);
+  append(words, state.reachHigh);
+  append(words, state.reachLow);
+  return words;
+}
+
+// Every exponent and both signs, infinities and NaN; the second one is a neighbour or anything.
+std::vector<Float2> floatPairs() {
+  std::mt19937_64 random(11);
+  std::vector<Float2> pairs;
+  for (uint32_t i = 0; i < 60000; ++i) {
+    const uint32_t bits[2] = {uint32_t(random()), uint32_t(random())};
+    Float2 pair;
+    std::memcpy(&pair, bits, sizeof pair);
+    if (i % 3 == 1) pair = {between(random, -100, 100), between(random, -100, 100)};
+    if (i % 3 == 2) pair.y = pair.x * between(random, -2, 2);
+    pairs.push_back(pair);
+  }
+  const float special[] = {0.0f,
+                           -0.0f,
+                           1e-45f,
+                           -1e-45f,
+                           8192.0f,
+                           8192.001f,
+                           -8192.0f,
+                           87.0f,
+                           -87.0f,
+                           88.0f,
+                           std::numeric_limits<float>::infinity(),
+                           -std::numeric_limits<float>::infinity(),
+                           std::numeric_limits<float>::quiet_NaN(),
+                           std::numeric_limits<float>::max()};
+  for (float x : special) {
+    for (float y : special) pairs.push_back({x, y});
+  }
+  return pairs;
+}
+
+std::vector<float> firsts(const std::vector<Float2>& pairs) {
+  std::vector<float> values;
+  for (const Float2& pair : pairs) values.push_back(pair.x);
+  return values;
+}
+
+Words lineSorts(const Probes& device, const ExecOptions& options) {
+  Words words;
+  for (uint32_t length : {1u, 2u, 3u, 127u, 128u, 129u, 1000u, 2047u, 2048u}) {
+    for (Layout layout : {Layout::uniform, Layout::coincident, Layout::zeros}) {
+      auto line = makeCells({layout, {length, 1}, 20, length});
+      append(words, device.sortLineByX(options, line));
+      append(words, device.sortLineByY(options, line));
+    }
+  }
+  return words;
+}
+
+constexpr GridShape kShapes[] = {{1, 1}, {1, 37}, {37, 1}, {16, 16}, {48, 13}, {208, 41}, {2048, 3}, {5, 2048}};
+
+Words upkeepOf(const Probes& device, const ExecOptions& options, Upkeep upkeep) {
+  Words words;
+  uint64_t seed = 1;
+  for (const GridShape& shape : kShapes) {
+    for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+      auto state = device.upkeep(options, shape, makeCells({Layout(layout), shape, 10, ++seed}), upkeep);
+      moveCells(state.cells, 1.0f, ++seed);
+      const Words after = wordsOf(device.upkeep(options, shape, state.cells, Upkeep::maintain));
+      words.insert(words.end(), after.begin(), after.end());
+    }
+  }
+  return words;
+}
+
+Words gathers(const Probes& device, const ExecOptions& options, Method method) {
+  Words words;
+  uint64_t seed = 100;
+  for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+    const CellSpec spec{Layout(layout), {112, 23}, 15, ++seed};
+    const auto cells = makeCells(spec);
+    const Gathered gathered = device.gather(options, spec.shape, cells, makeQueries(cells, 300, ++seed), method);
+    append(words, gathered.found);
+    append(words, gathered.visits);
+    append(words, gathered.tested);
+  }
+  return words;
+}
+
+std::vector<ParityCase> makeCases() {
+  std::vector<ParityCase> cases;
+  const auto add = [&](const char* name, auto run) { cases.push_back({name, run}); };
+  using Options = const ExecOptions&;
+
+  add("ForEach", [](const Probes& device, Options options) {
+    Words words;
+    for (uint32_t count : {0u, 1u, 63u, 64u, 65u, 255u, 256u, 257u, 100000u}) {
+      append(words, device.countVisits(options, count, nullptr));
+      for (uint32_t live : {0u, 1u, count / 2, count, count + 7})
+        append(words, device.countVisits(options, count, &live));
+    }
+    return words;
+  });
+  add("Teams", [](const Probes& device, Options options) {
+    Words words;
+    for (size_t teams : {0, 1, 7, 300}) append(words, device.foldLines(options, makeWords(teams * 128, teams)));
+    return words;
+  });
+  add("BigSharedMemory", [](const Probes& device, Options options) {
+    std::vector<uint32_t> line;
+    for (uint32_t i = 0; i < 16384; ++i) line.push_back(i * 2654435761u);
+    Words words;
+    append(words, device.reverseBigLine(options, line));
+    return words;
+  });
+  add("Atomics", [](const Probes& device, Options options) { return device.atomics(options, makeWords(100000, 3)); });
+  add("Graph",
+      [](const Probes& device, Options options) { return device.replayGraph(options, makeWords(5000, 4), 20); });
+  add("ExactMath", [](const Probes& device, Options options) {
+    Words words;
+    append(words, device.exactMath(options, floatPairs()));
+    return words;
+  });
+  add("Philox", [](const Probes& device, Options options) {
+    std::vector<Uint4> counters;
+    std::vector<uint32_t> bits;
+    std::mt19937_64 random(5);
+    for (uint32_t i = 0; i < 50000; ++i) {
+      const uint64_t word = random();
+      counters.push_back({i, uint32_t(word), uint32_t(word >> 32), i % 4});
+      bits.push_back(uint32_t(word));
+    }
+    Words words;
+    append(words, device.philox(options, 0xFEEDFACECAFEBEEFull, counters));
+    append(words, device.unitFloats(options, bits));
+    return words;
+  });
+  add("FixedTerms", [](const Probes& device, Options options) {
+    Words words;
+    for (float scale : {1.0f, 1048576.0f, 0.0009765625f})
+      append(words, device.fixedTerms(options, firsts(floatPairs()), scale));
+    return words;
+  });
+  add("StateHash",
+      [](const Probes& device, Options options) { return device.hashWords(options, makeWords(100000, 6)); });
+  add("Scan", [](const Probes& device, Options options) {
+    Words words;
+    for (size_t count : {0, 1, 255, 1023, 1024, 1025, 100000, 300001})
+      append(words, device.scan(options, makeWords(count, count)));
+    return words;
+  });
+  add("Reduce", [](const Probes& device, Options options) {
+    Words words;
+    for (size_t count : {0, 1, 255, 1023, 1024, 1025, 300001})
+      words.push_back(device.reduce(options, makeWords(count, count)));
+    return words;
+  });
+  add("SortKeys", [](const Probes& device, Options options) {
+    Words words;
+    for (size_t count : {1, 2, 1000, 100000}) {
+      Words keys = makeWords(count, count);
+      for (size_t i = 0; i < count; ++i) keys[i] = keys[i] << 32 | i;  // all different
+      append(words, device.sortKeys(options, keys));
+    }
+    return words;
+  });
+  add("LineSort", lineSorts);
+  add("Maintain", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::maintain); });
+  add("Rebuild", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::rebuild); });
+  add("RowGather", [](const Probes& device, Options options) { return gathers(device, options, Method::rows); });
+  add("BruteForce", [](const Probes& device, Options options) { return gathers(device, options, Method::bruteForce); });
+  return cases;
+}
+
+}  // namespace
+
+const std::vector<ParityCase>& parityCases() {
+  static const std::vector<ParityCase> cases = makeCases();
+  return cases;
+}
+
+std::optional<std::string> difference(const Words& expected, const Words& actual) {
+  if (expected.size() != actual.size()) {
+    return std::to_string(actual.size()) + " words instead of " + std::to_string(expected.size());
+  }
+  const auto [mine, theirs] = std::mismatch(expected.begin(), expected.end(), actual.begin());
+  if (mine == expected.end()) return std::nullopt;
+  return "word " + std::to_string(mine - expected.begin()) + " of " + std::to_string(expected.size()) + " is " +
+         std::to_string(*theirs) + " instead of " + std::to_string(*mine);
+}
+
+}  // namespace gw::test

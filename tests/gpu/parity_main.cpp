@@ -1,0 +1,45 @@
+// parity_test [--assets DIR]: both devices, bit for bit. The last line says how much really ran on a GPU.
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include "tests/gpu/parity_fixture.h"
+#include "tests/gpu/probes.h"
+
+namespace gw::test {
+namespace {
+
+std::filesystem::path folder;
+
+std::filesystem::path findAssets() {
+  if (const char* given = std::getenv("GW_ASSETS")) return given;
+  std::error_code ignored;
+  const auto beside = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "assets";
+  return std::filesystem::is_directory(beside, ignored) ? beside : std::filesystem::path(GW_SOURCE_ASSETS);
+}
+
+}  // namespace
+
+const std::filesystem::path& assetFolder() {
+  return folder;
+}
+
+}  // namespace gw::test
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  gw::test::folder = gw::test::findAssets();
+  for (int i = 1; i < argc; ++i) {
+    if (std::string_view(argv[i]) != "--assets" || i + 1 == argc) {
+      std::fprintf(stderr, "usage: parity_test [--assets DIR] [--gtest_...]\n");
+      return 2;
+    }
+    gw::test::folder = argv[++i];
+  }
+  const int status = RUN_ALL_TESTS();
+  if (!testing::GTEST_FLAG(list_tests)) {
+    std::printf("%llu CUDA kernels run\n", static_cast<unsigned long long>(gw::test::cudaKernelsRun.load()));
+  }
+  return status;
+}

@@ -1,0 +1,31 @@
+// How the probes' kernel files make up one table.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "tests/gpu/probes.h"
+
+namespace gw::GW_DEVICE {
+
+void addExecProbes(test::Probes& probes);
+void addMathProbes(test::Probes& probes);
+void addScanProbes(test::Probes& probes);
+void addGridProbes(test::Probes& probes);
+void addGatherProbes(test::Probes& probes);
+
+template <class T>
+Buffer<T> uploaded(Queue& queue, const std::vector<T>& source) {
+  Buffer<T> buffer(queue, source.size());
+  buffer.upload(source);
+  return buffer;
+}
+
+// Call it once the results are here: then the launches have really run.
+inline void countLaunches(uint64_t launches) {
+#if GW_ON_CUDA
+  test::cudaKernelsRun += launches;
+#else
+  (void)launches;
+#endif
+}
+
+}  // namespace gw::GW_DEVICE

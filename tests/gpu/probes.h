@@ -1,0 +1,93 @@
+// What the tests of gpu/ run on a device. Each probe makes a queue with the given options, uploads, launches,
+// downloads; so a test is host code that knows no device, and the same case can be run on both.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "gpu/exec_options.h"
+#include "gpu/plain_types.h"
+
+namespace gw::test {
+
+using Words = std::vector<uint64_t>;
+
+struct GridShape {
+  uint32_t columns = 0, rows = 0;
+  uint32_t cells() const { return columns * rows; }
+};
+
+enum class Upkeep : uint32_t { maintain, rebuild };
+
+// Everything that NGrid upkeep leaves behind.
+struct GridState {
+  std::vector<Cell> cells;
+  std::vector<uint32_t> cellOf, living;
+  std::vector<float> low, high, reachHigh, reachLow;
+};
+
+struct Query {
+  float x, y, radius;
+};
+
+// The last four have one planted mistake each (broken_gather.h); noMistake is the same code without it.
+enum class Method : uint32_t {
+  rows,
+  bruteForce,
+  noMistake,
+  prunesByEdge,
+  forgetsLastRow,
+  stopsBeforeBoundary,
+  trustsRowOrder,
+};
+
+struct Gathered {
+  std::vector<uint32_t> found;   // [query][id / 32] a bit for each neighbour
+  std::vector<uint32_t> visits;  // [query] neighbours, counted one by one
+  std::vector<uint32_t> tested;  // [query] pair tests
+};
+
+struct Probes {
+  // Visits per item, of capacity + 1024 items, when `live` (if any: used as the device-side count) are to run.
+  std::vector<uint32_t> (*countVisits)(const ExecOptions&, uint32_t capacity, const uint32_t* live);
+  // Teams of 128 lanes, several phases each: lines of 128 words, reversed and folded (see foldLineOnHost).
+  Words (*foldLines)(const ExecOptions&, const Words& lines);
+  // One team with 64 KiB of shared memory reverses 16,384 words.
+  std::vector<uint32_t> (*reverseBigLine)(const ExecOptions&, const std::vector<uint32_t>&);
+  // {sum of the low halves mod 2^32, largest word, sum mod 2^64}, all by atomics.
+  Words (*atomics)(const ExecOptions&, const Words&);
+  // Three launches captured once and replayed `ticks` times: the words after that.
+  Words (*replayGraph)(const ExecOptions&, const Words&, uint32_t ticks);
+
+  // Bits of sine, cosine, arcTangent2(y, x), exponential, length, normalised; NaN as one pattern.
+  std::vector<uint32_t> (*exactMath)(const ExecOptions&, const std::vector<Float2>&);
+  std::vector<Uint4> (*philox)(const ExecOptions&, uint64_t key, const std::vector<Uint4>& counters);
+  std::vector<uint32_t> (*unitFloats)(const ExecOptions&, const std::vector<uint32_t>& bits);
+  std::vector<int32_t> (*fixedTerms)(const ExecOptions&, const std::vector<float>&, float scale);
+  Words (*hashWords)(const ExecOptions&, const Words&);
+
+  Words (*scan)(const ExecOptions&, const Words&);  // what stands before each item, then the total
+  uint64_t (*reduce)(const ExecOptions&, const Words&);
+  Words (*sortKeys)(const ExecOptions&, const Words&);
+
+  std::vector<Cell> (*sortLineByX)(const ExecOptions&, const std::vector<Cell>&);
+  std::vector<Cell> (*sortLineByY)(const ExecOptions&, const std::vector<Cell>&);
+  GridState (*upkeep)(const ExecOptions&, GridShape, const std::vector<Cell>&, Upkeep);
+  // Maintains, then searches.
+  Gathered (*gather)(const ExecOptions&, GridShape, const std::vector<Cell>&, const std::vector<Query>&, Method);
+};
+
+// Kernels that probes have launched on a real CUDA device.
+inline std::atomic<uint64_t> cudaKernelsRun{0};
+
+}  // namespace gw::test
+
+namespace gw::cpu {
+test::Probes probes();
+}
+#ifdef GW_HAVE_CUDA
+namespace gw::cuda {
+test::Probes probes();
+}
+#endif

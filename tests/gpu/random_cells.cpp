@@ -1,0 +1,126 @@
+#include "tests/gpu/random_cells.h"
+
+#include <cmath>
+#include <limits>
+
+namespace gw::test {
+namespace {
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+Float2 placeIn(Layout layout, std::mt19937_64& random) {
+  const auto any = [&](float low, float high) { return between(random, low, high); };
+  switch (layout) {
+    case Layout::uniform:
+      return {any(0, 100), any(0, 100)};
+    case Layout::clustered: {
+      const float heap = float(random() % 8);
+      return {heap * 11 + any(-1, 1) * any(0, 1), heap * heap * 1.5f + any(-1, 1) * any(0, 1)};
+    }
+    case Layout::line:
+      return {any(0, 100), 42.0f};
+    case Layout::coincident:
+      return {float(random() % 3) * 0.1f, float(random() % 3) * 0.1f};
+    case Layout::lattice:
+      return {float(random() % 24), float(random() % 24)};
+    case Layout::huge:
+      return {any(-1, 1) * 1e30f, any(-1, 1) * 1e30f};
+    case Layout::nearOrigin:
+      return {any(-1, 1), any(-1, 1)};
+    case Layout::zeros: {
+      const float values[] = {0.0f, -0.0f, 1e-45f, -1e-45f, 1e-38f, -1e-38f, 1e-20f};
+      return {values[random() % 7], values[random() % 7]};
+    }
+  }
+  return {0, 0};
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const CellSpec& spec) {
+  return out << "layout " << uint32_t(spec.layout) << ", " << spec.shape.columns << " x " << spec.shape.rows << ", "
+             << spec.deadPercent << "% dead, seed " << spec.seed;
+}
+
+float between(std::mt19937_64& random, float low, float high) {
+  return low + (high - low) * (float(random() >> 40) * 0x1p-24f);
+}
+
+std::vector<Cell> makeCells(const CellSpec& spec) {
+  std::mt19937_64 random(spec.seed);
+  std::vector<Cell> cells;
+  for (uint32_t id = 0; id < spec.shape.cells(); ++id) {
+    const Float2 at = placeIn(spec.layout, random);
+    const bool dead = random() % 100 < spec.deadPercent;
+    cells.push_back({dead ? kInfinite : at.x, dead ? kInfinite : at.y, id, 7 * id + 1});
+  }
+  return cells;
+}
+
+void moveCells(std::vector<Cell>& cells, float step, uint64_t seed) {
+  std::mt19937_64 random(seed);
+  for (Cell& cell : cells) {
+    const bool dead = cell.x == kInfinite;
+    if (!dead) {
+      cell.x += between(random, -step, step);
+      cell.y += between(random, -step, step);
+    }
+    const uint64_t fate = random() % 64;
+    if (!dead && fate == 0) cell.x = cell.y = kInfinite;
+    if (dead && fate == 1) {
+      cell.x = between(random, 0, 100);
+      cell.y = between(random, 0, 100);
+    }
+  }
+}
+
+std::vector<Query> makeQueries(const std::vector<Cell>& cells, uint32_t count, uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<Cell> living;
+  for (const Cell& cell : cells) {
+    if (cell.x < kInfinite) living.push_back(cell);
+  }
+  if (living.empty()) living.push_back({1.0f, 2.0f, 0, 0});
+  const auto any = [&]() -> const Cell& { return living[random() % living.size()]; };
+  std::vector<Query> queries;
+  for (uint32_t q = 0; q < count; ++q) {
+    const Cell &from = any(), &to = any();
+    const float across = std::fabs(to.x - from.x), along = std::fabs(to.y - from.y);
+    Query query{from.x, from.y, 1.0f};
+    switch (q % 6) {
+      case 0:
+        query = {from.x, to.y, across};
+        break;  // `to` exactly right or left on the boundary
+      case 1:
+        query = {to.x, from.y, along};
+        break;  // exactly above or below
+      case 2:
+        query.radius = across < along ? along : across;
+        break;
+      case 3:
+        query.radius = std::ldexp(1.0f, int(random() % 16) - 10);
+        break;
+      case 4:
+        query = {to.x + 0.5f, from.y - 0.25f, (across + along) / 8};
+        break;
+      case 5:
+        query.radius = std::ldexp(1.0f, int(random() % 240) - 120);
+        break;
+    }
+    if (!(query.radius > 0.0f) || !(query.radius < kInfinite)) query.radius = 1e-6f;
+    queries.push_back(query);
+  }
+  return queries;
+}
+
+Words makeWords(size_t count, uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Words words;
+  for (size_t i = 0; i < count; ++i) {
+    const uint64_t kind = random() % 4, value = random();
+    words.push_back(kind == 0 ? 0 : kind == 1 ? 1 : kind == 2 ? value % 100 : value);
+  }
+  return words;
+}
+
+}  // namespace gw::test

@@ -1,0 +1,36 @@
+// What gpu/ has to compute, written a second time: plain host code that shares no function with it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tests/gpu/probes.h"
+
+namespace gw::naive {
+
+test::Words scan(const test::Words& in);   // what stands before each item, then the total
+test::Words foldLines(test::Words lines);  // Probes::foldLines
+
+bool isDead(const Cell& cell);
+
+// The order of a line: along one axis, then the other, then by id.
+void sortByX(std::vector<Cell>& line);
+void sortByY(std::vector<Cell>& line);
+
+// The whole of upkeep, and what it says about the rows of an arrangement.
+test::GridState upkeep(test::GridShape shape, std::vector<Cell> cells, test::Upkeep upkeep);
+
+// Ids of the living within the radius, ascending: the neighbour test on every cell.
+std::vector<uint32_t> neighbours(const std::vector<Cell>& cells, test::Query query);
+
+// A fixed window of the thesis: who is within the radius among the cells at most `columns` and `rows` away
+// from the cell (its extended Moore neighbourhood), ids ascending.
+std::vector<uint32_t> windowNeighbours(test::GridShape shape, const std::vector<Cell>& arranged, uint32_t cell,
+                                       uint32_t columns, uint32_t rows, float radius);
+
+// The adaptive window of the thesis: each of the four directions grows from the cell until the distance
+// along its axis passes the radius; the window is what they span.
+std::vector<uint32_t> adaptiveNeighbours(test::GridShape shape, const std::vector<Cell>& arranged, uint32_t cell,
+                                         float radius);
+
+}  // namespace gw::naive
