@@ -9,13 +9,13 @@
 namespace gw {
 
 struct CameraRules {
-  float height_m = 40;       // of the world, from the top of the window to the bottom
-  float wideHeight_m = 52;   // with `wideEnemies` or more in view
+  float height_m = 40;      // of the world, from the top of the window to the bottom
+  float wideHeight_m = 52;  // with `wideEnemies` or more in view
   uint32_t nearEnemies = 600, wideEnemies = 2000;
-  float lookAhead_m = 4;     // along the aim
-  float spring_per_s = 8;    // share of the gap closed per second, as the exponent of a decay
+  float lookAhead_m = 4;        // along the aim
+  float spring_per_s = 8;       // share of the gap closed per second, as the exponent of a decay
   float widening_per_s = 1.2f;  // slower: a zoom that is noticed is a zoom too fast
-  float pastWalls_m = 4;     // most that is shown beyond a wall
+  float pastWalls_m = 4;        // most that is shown beyond a wall
 };
 
 class FollowCamera {

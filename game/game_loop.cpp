@@ -37,7 +37,9 @@ void chooseDisplay() {
   SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
 }
 
-float aspectOf(PixelSize size) { return float(std::max(size.width, 1)) / float(std::max(size.height, 1)); }
+float aspectOf(PixelSize size) {
+  return float(std::max(size.width, 1)) / float(std::max(size.height, 1));
+}
 
 }  // namespace
 

@@ -33,7 +33,9 @@ void GlCanvas::text(std::string_view text, float x, float baseline, const TextSt
   text_.add(text, x * scale_, baseline * scale_, pixels);
 }
 
-float GlCanvas::textWidth(std::string_view text, float size) const { return text_.font().width_px(text, size); }
+float GlCanvas::textWidth(std::string_view text, float size) const {
+  return text_.font().width_px(text, size);
+}
 
 void GlCanvas::nextLayer() {
   quads_.flush(target_);

@@ -20,6 +20,8 @@ void catchInterrupts() {
   std::signal(SIGTERM, onSignal);
 }
 
-bool interrupted() { return wished != 0; }
+bool interrupted() {
+  return wished != 0;
+}
 
 }  // namespace gw

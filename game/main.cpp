@@ -22,14 +22,20 @@ ExitCode withoutWindow() {
 ExitCode runVerb(const Options& options) {
   switch (options.verb) {
 #ifdef GW_WINDOW
-    case Verb::play: return options.headless ? playHeadless(options) : playWindow(options);
-    case Verb::replay: return watchReplay(options);
+    case Verb::play:
+      return options.headless ? playHeadless(options) : playWindow(options);
+    case Verb::replay:
+      return watchReplay(options);
 #else
-    case Verb::play: return options.headless ? playHeadless(options) : withoutWindow();
-    case Verb::replay: return withoutWindow();
+    case Verb::play:
+      return options.headless ? playHeadless(options) : withoutWindow();
+    case Verb::replay:
+      return withoutWindow();
 #endif
-    case Verb::verify: return verifyReplays(options);
-    case Verb::devices: return listDevicesCommand(options);
+    case Verb::verify:
+      return verifyReplays(options);
+    case Verb::devices:
+      return listDevicesCommand(options);
   }
   return withoutWindow();
 }

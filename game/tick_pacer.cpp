@@ -42,6 +42,8 @@ void TickPacer::withhold(double seconds) {
   waiting_s_ -= spent;
 }
 
-float TickPacer::alpha() const { return float(std::clamp(waiting_s_ / kTick, 0.0, 1.0)); }
+float TickPacer::alpha() const {
+  return float(std::clamp(waiting_s_ / kTick, 0.0, 1.0));
+}
 
 }  // namespace gw

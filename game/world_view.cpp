@@ -15,7 +15,7 @@ namespace gw {
 
 namespace {
 
-constexpr uint32_t kSpareSprites = 64;    // the ship and what else is no entity
+constexpr uint32_t kSpareSprites = 64;  // the ship and what else is no entity
 constexpr float kBlastShown_ticks = 24;
 
 std::unique_ptr<SpriteStream> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda) {

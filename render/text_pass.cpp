@@ -46,12 +46,11 @@ void TextPass::add(std::string_view text, float x_px, float baseline_px, const T
     const Glyph& glyph = font_.glyph(character);
     if (glyph.width > 0) {
       const float scale = unit / font_.pixelsPerUnit;
-      instances_.push_back({pen + glyph.left * unit, baseline_px - glyph.top * unit, glyph.width * scale,
-                            glyph.height * scale, glyph.x / float(font_.atlasSize.width),
-                            glyph.y / float(font_.atlasSize.height),
-                            (glyph.x + glyph.width) / float(font_.atlasSize.width),
-                            (glyph.y + glyph.height) / float(font_.atlasSize.height), unit, style.weight, style.glow,
-                            rgba});
+      instances_.push_back(
+          {pen + glyph.left * unit, baseline_px - glyph.top * unit, glyph.width * scale, glyph.height * scale,
+           glyph.x / float(font_.atlasSize.width), glyph.y / float(font_.atlasSize.height),
+           (glyph.x + glyph.width) / float(font_.atlasSize.width),
+           (glyph.y + glyph.height) / float(font_.atlasSize.height), unit, style.weight, style.glow, rgba});
     }
     pen += glyph.advance * unit;
   }

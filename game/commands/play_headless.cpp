@@ -63,18 +63,19 @@ void printSummary(Run& run, const RunFactory& factory, const Options& options, u
   const TickReport& report = run.last();
   const Rules& rules = factory.rules();
   const auto line = [](const char* name, const std::string& value) { std::printf("%-12s %s\n", name, value.c_str()); };
-  line("device", run.simulation().deviceName() + (factory.device().why.empty() ? "" : "  (" + factory.device().why + ")"));
+  line("device",
+       run.simulation().deviceName() + (factory.device().why.empty() ? "" : "  (" + factory.device().why + ")"));
   line("game", "seed " + std::to_string(seed) + ", " + withCommas(options.enemies) + " enemies fit, " +
                    withCommas(run.simulation().capacity()) + " entities");
-  line("ticks", withCommas(report.tick) +
-                    (report.over ? " (over at tick " + std::to_string(report.tick) + ")"
-                     : interrupted() ? " (interrupted)" : ""));
+  line("ticks", withCommas(report.tick) + (report.over     ? " (over at tick " + std::to_string(report.tick) + ")"
+                                           : interrupted() ? " (interrupted)"
+                                                           : ""));
   line("ticks/s", measured.seconds > 0 ? oneDecimal(report.tick / measured.seconds) : "-");
   line("survived", minutesSeconds(report.tick));
   line("score", withCommas(report.score));
   line("multiplier", multiplierText(report.multiplierTenths));
-  line("budget", oneDecimal(report.frameTime_us / 1000.0) + " ms, " +
-                     oneDecimal(framesPerSecond(report.frameTime_us)) + " FPS");
+  line("budget",
+       oneDecimal(report.frameTime_us / 1000.0) + " ms, " + oneDecimal(framesPerSecond(report.frameTime_us)) + " FPS");
   std::string kills = withCommas(report.kills);
   for (uint32_t i = 0; i < rules.enemyTypeCount; ++i) {
     kills += (i == 0 ? ": " : ", ") + std::string(rules.enemies[i].name) + " " + withCommas(report.killsByType[i]);

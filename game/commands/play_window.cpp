@@ -53,10 +53,16 @@ class PlaySession {
 
     const Screen before = screen_;
     switch (advance(screen_, input)) {
-      case FlowEvent::startRun: startRun(); break;
-      case FlowEvent::leaveRun: startAttract(); break;
-      case FlowEvent::quitProgram: return false;
-      case FlowEvent::none: break;
+      case FlowEvent::startRun:
+        startRun();
+        break;
+      case FlowEvent::leaveRun:
+        startAttract();
+        break;
+      case FlowEvent::quitProgram:
+        return false;
+      case FlowEvent::none:
+        break;
     }
     if (screen_ != before) shownSince_s_ = loop_.now_s();
     if (before == Screen::play && screen_ == Screen::over) keepBest();
@@ -116,8 +122,7 @@ class PlaySession {
     const TickReport& report = run_->last();
     std::printf("score %s, survived %s, %s processed%s%s\n", withCommas(report.score).c_str(),
                 minutesSeconds(report.tick).c_str(), withCommas(report.kills).c_str(),
-                run_->recorded() ? ", recorded to " : "",
-                run_->recorded() ? factory_.recordPath().c_str() : "");
+                run_->recorded() ? ", recorded to " : "", run_->recorded() ? factory_.recordPath().c_str() : "");
     std::fflush(stdout);
     attract_ = true;  // said once
   }
@@ -140,6 +145,8 @@ class PlaySession {
 
 }  // namespace
 
-ExitCode playWindow(const Options& options) { return PlaySession(options).play(); }
+ExitCode playWindow(const Options& options) {
+  return PlaySession(options).play();
+}
 
 }  // namespace gw

@@ -94,6 +94,8 @@ class ReplaySession {
 
 }  // namespace
 
-ExitCode watchReplay(const Options& options) { return ReplaySession(options).watch(); }
+ExitCode watchReplay(const Options& options) {
+  return ReplaySession(options).watch();
+}
 
 }  // namespace gw

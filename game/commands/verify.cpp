@@ -36,7 +36,7 @@ struct Outcome {
   uint32_t ticks = 0, compared = 0;
   double seconds = 0;
   std::optional<Difference> first;
-  std::string wrongResult;  // every tick equal, and yet the recorded result is another
+  std::string wrongResult;       // every tick equal, and yet the recorded result is another
   std::vector<uint64_t> hashes;  // as computed
   // What the run was like, for tests that look at one.
   TickReport last;
@@ -73,8 +73,8 @@ void compare(Outcome& outcome, const Replay& replay, Simulation& simulation) {
 void judge(Outcome& outcome, const Replay& replay) {
   const TickReport& last = outcome.last;
   if (outcome.compared < replay.ticks()) {
-    outcome.error = "interrupted after " + std::to_string(outcome.compared) + " of " +
-                    std::to_string(replay.ticks()) + " ticks; run it again to its end";
+    outcome.error = "interrupted after " + std::to_string(outcome.compared) + " of " + std::to_string(replay.ticks()) +
+                    " ticks; run it again to its end";
     outcome.code = ExitCode::failedRun;
   } else if (outcome.first) {
     outcome.code = ExitCode::desync;
@@ -146,14 +146,15 @@ nlohmann::ordered_json toJson(const Outcome& outcome) {
 // Results on stdout; what failed in one sentence on stderr.
 void say(const Outcome& outcome, bool quiet) {
   const std::string ticks = withCommas(outcome.compared) + " of " + withCommas(outcome.ticks) + " ticks compared";
-  const std::string speed = oneDecimal(outcome.seconds > 0 ? outcome.compared / outcome.seconds : 0) + " ticks/s, " +
-                            outcome.device;
+  const std::string speed =
+      oneDecimal(outcome.seconds > 0 ? outcome.compared / outcome.seconds : 0) + " ticks/s, " + outcome.device;
   const char* name = outcome.file.c_str();
   if (outcome.code == ExitCode::fine) {
     if (!quiet) std::printf("equal    %s: %s, %s\n", name, ticks.c_str(), speed.c_str());
   } else if (outcome.first) {
     if (!quiet) std::printf("DESYNC   %s: %s, %s\n", name, ticks.c_str(), speed.c_str());
-    std::fprintf(stderr, "%s: tick %u is the first that differs: recorded %s, computed %s; "
+    std::fprintf(stderr,
+                 "%s: tick %u is the first that differs: recorded %s, computed %s; "
                  "see docs/determinism.md for how to find the cause.\n",
                  name, outcome.first->tick, hexadecimal(outcome.first->recorded).c_str(),
                  hexadecimal(outcome.first->actual).c_str());

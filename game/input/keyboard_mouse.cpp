@@ -84,8 +84,8 @@ InputRecord KeyboardMouse::record(WorldPoint ship, WorldPoint underPointer) {
     aim_ = quantiseAim(underPointer.x - ship.x, underPointer.y - ship.y, aim_);
   }
   record.aim = aim_;
-  record.buttons = uint16_t((keysAim || held(Action::fire) ? kButtonFire : 0) |
-                            (held(Action::flush) ? kButtonFlush : 0));
+  record.buttons =
+      uint16_t((keysAim || held(Action::fire) ? kButtonFire : 0) | (held(Action::flush) ? kButtonFlush : 0));
   tapped_.fill(false);
   return record;
 }

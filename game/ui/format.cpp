@@ -42,6 +42,8 @@ std::string upperCase(std::string text) {
   return text;
 }
 
-double framesPerSecond(uint32_t frameTime_us) { return frameTime_us == 0 ? 0 : 1e6 / frameTime_us; }
+double framesPerSecond(uint32_t frameTime_us) {
+  return frameTime_us == 0 ? 0 : 1e6 / frameTime_us;
+}
 
 }  // namespace gw

@@ -18,8 +18,8 @@ std::string causeText(const RunMonitor& run, const Rules& rules) {
   const std::string limit = oneDecimal(framesPerSecond(rules.budget.limit_us)) + " FPS";
   if (contact.type >= rules.enemyTypeCount) return "the frame rate fell under " + limit;
   const std::string name = rules.enemies[contact.type].name;
-  return std::string(name.find_first_of("aeiou") == 0 ? "an " : "a ") + name + " cost " + oneDecimal(contact.cost_us / 1000.0) +
-         " ms: under " + limit;
+  return std::string(name.find_first_of("aeiou") == 0 ? "an " : "a ") + name + " cost " +
+         oneDecimal(contact.cost_us / 1000.0) + " ms: under " + limit;
 }
 
 // Kills by type as small columns of shape, number and name.

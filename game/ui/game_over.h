@@ -7,9 +7,9 @@
 namespace gw {
 
 struct GameOverFrame {
-  double time_s = 0;      // since it is shown
-  uint64_t best = 0;      // of this session before this run; 0: none
-  bool canRetry = true;   // false: a replay's end
+  double time_s = 0;     // since it is shown
+  uint64_t best = 0;     // of this session before this run; 0: none
+  bool canRetry = true;  // false: a replay's end
 };
 
 void drawGameOver(Canvas& canvas, const RunMonitor& run, const Rules& rules, const GameOverFrame& frame);

@@ -12,7 +12,23 @@ namespace {
 
 using namespace theme;
 
-constexpr float kMeterWidth = 440, kMeterHeight = 12, kMeterTop = 34;
+constexpr float kMeterHeight = 12, kMeterTop = 34;
+
+// Narrow windows get a narrower meter, so that score and counts keep their corners.
+float meterWidth(const Canvas& canvas) {
+  return std::clamp(canvas.width() * 0.344f, 200.0f, 440.0f);
+}
+
+// Numbers stay readable over a horde: the world fades towards the top edge.
+void drawBackdrop(Canvas& canvas) {
+  constexpr int kStrips = 24;
+  constexpr float kStrip = 6;
+  for (int i = 0; i < kStrips; ++i) {
+    const float share = 1 - float(i) / kStrips;
+    canvas.rectangle(0, kStrip * float(i), canvas.width(), kStrip,
+                     faded(kShade, 0.78f * share * share * (3 - 2 * share)));
+  }
+}
 
 Rgba budgetColour(float left) {
   return left > 0.5f ? mixed(kGold, kAccent, (left - 0.5f) * 2.5f) : mixed(kDanger, kGold, (left - 0.12f) * 3);
@@ -20,29 +36,27 @@ Rgba budgetColour(float left) {
 
 void drawMeter(Canvas& canvas, const RunMonitor& run, const Rules& rules, double realFps) {
   const TickReport& report = run.last();
-  const float left = (canvas.width() - kMeterWidth) / 2, right = left + kMeterWidth;
+  const float width = meterWidth(canvas);
+  const float left = (canvas.width() - width) / 2, right = left + width;
   const float share = budgetLeft(report.frameTime_us, rules.budget);
   const float trail = budgetLeft(uint32_t(run.trailingFrameTime_us()), rules.budget);
   const Rgba colour = budgetColour(share);
   // Under a quarter the meter breathes: time is life, and it is nearly gone.
   const float pulse = share < 0.25f ? 0.7f + 0.3f * std::sin(float(report.tick) * 0.2f) : 1.0f;
 
-  canvas.rectangle(left, kMeterTop, kMeterWidth, kMeterHeight, faded(kShade, 0.75f));
+  canvas.rectangle(left, kMeterTop, width, kMeterHeight, faded(kShade, 0.75f));
   if (trail > share) {
-    canvas.rectangle(left + kMeterWidth * share, kMeterTop, kMeterWidth * (trail - share), kMeterHeight,
-                     faded(kDanger, 0.9f));
+    canvas.rectangle(left + width * share, kMeterTop, width * (trail - share), kMeterHeight, faded(kDanger, 0.9f));
   }
-  canvas.gradient(left, kMeterTop, kMeterWidth * share, kMeterHeight, faded(colour, 0.45f * pulse),
-                  faded(colour, pulse));
+  canvas.gradient(left, kMeterTop, width * share, kMeterHeight, faded(colour, 0.45f * pulse), faded(colour, pulse));
   // Quarters of the frame time are 30, 20 and 15 FPS.
   for (const int quarter : {1, 2, 3}) {
-    canvas.rectangle(left + kMeterWidth * float(quarter) / 4 - 0.5f, kMeterTop + 3, 1, kMeterHeight - 6,
-                     faded(kText, 0.35f));
+    canvas.rectangle(left + width * float(quarter) / 4 - 0.5f, kMeterTop + 3, 1, kMeterHeight - 6, faded(kText, 0.35f));
   }
-  canvas.outline(left - 3, kMeterTop - 3, kMeterWidth + 6, kMeterHeight + 6, 1, faded(colour, 0.6f));
+  canvas.outline(left - 3, kMeterTop - 3, width + 6, kMeterHeight + 6, 1, faded(colour, 0.6f));
   // What bits may still give back.
   const float bank = rules.budget.bankMax_us > 0 ? float(report.bank_us) / float(rules.budget.bankMax_us) : 0;
-  canvas.rectangle(left, kMeterTop + kMeterHeight + 5, kMeterWidth * std::min(bank, 1.0f), 2, faded(kGood, 0.45f));
+  canvas.rectangle(left, kMeterTop + kMeterHeight + 5, width * std::min(bank, 1.0f), 2, faded(kGood, 0.45f));
 
   canvas.text("BUDGET", left - 16, kMeterTop + 11, style(11, kQuiet, TextAlign::right, 0.2f));
   canvas.text(oneDecimal(framesPerSecond(report.frameTime_us)) + " FPS", right + 16, kMeterTop + 12,
@@ -57,20 +71,23 @@ void drawContact(Canvas& canvas, const RunMonitor& run, const Rules& rules) {
   if (fresh <= 0) return;
   const RunMonitor::Contact& contact = run.lastContact();
   const float shown = std::min(1.0f, fresh * 3);
-  const std::string name = contact.type < rules.enemyTypeCount ? upperCase(rules.enemies[contact.type].name) : "CONTACT";
+  const std::string name =
+      contact.type < rules.enemyTypeCount ? upperCase(rules.enemies[contact.type].name) : "CONTACT";
   canvas.text(name + "  +" + oneDecimal(contact.cost_us / 1000.0) + " ms", canvas.width() / 2, 88,
               style(19, faded(kDanger, shown), TextAlign::centre, 0.7f));
-  canvas.text(oneDecimal(framesPerSecond(contact.before_us)) + " > " +
-                  oneDecimal(framesPerSecond(contact.after_us)) + " FPS",
-              canvas.width() / 2, 112, style(11, faded(kText, shown * 0.9f), TextAlign::centre, 0.2f));
+  canvas.text(
+      oneDecimal(framesPerSecond(contact.before_us)) + " > " + oneDecimal(framesPerSecond(contact.after_us)) + " FPS",
+      canvas.width() / 2, 112, style(11, faded(kText, shown * 0.9f), TextAlign::centre, 0.2f));
 }
 
 void drawScore(Canvas& canvas, const TickReport& report, uint64_t best) {
-  canvas.text(withCommas(report.score), kMargin, 52, style(26, kText, TextAlign::left, 0.45f));
+  const std::string score = withCommas(report.score);
+  const float room = (canvas.width() - meterWidth(canvas)) / 2 - 16 - canvas.textWidth("BUDGET", 11) - 20 - kMargin;
+  const float size = std::min(26.0f, 26 * room / std::max(canvas.textWidth(score, 26), 1.0f));
+  canvas.text(score, kMargin, 52, style(size, kText, TextAlign::left, 0.45f));
   canvas.text(multiplierText(report.multiplierTenths), kMargin, 82, style(16, kGold, TextAlign::left, 0.4f));
   if (best > 0) {
-    canvas.text("best " + withCommas(std::max(best, report.score)), kMargin, 104,
-                style(9, kQuiet, TextAlign::left, 0));
+    canvas.text("best " + withCommas(std::max(best, report.score)), kMargin, 104, style(9, kQuiet, TextAlign::left, 0));
   }
 }
 
@@ -115,6 +132,7 @@ float budgetLeft(uint32_t frameTime_us, const Rules::Budget& budget) {
 }
 
 void drawHud(Canvas& canvas, const RunMonitor& run, const Rules& rules, const HudFrame& frame) {
+  drawBackdrop(canvas);
   drawScore(canvas, run.last(), frame.best);
   drawMeter(canvas, run, rules, frame.realFps);
   drawContact(canvas, run, rules);

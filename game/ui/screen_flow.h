@@ -13,7 +13,7 @@ struct FlowInput {
   bool quit = false;     // Q
   bool lostFocus = false;
   bool runOver = false;
-  double shown_s = 0;    // how long this screen has been shown
+  double shown_s = 0;  // how long this screen has been shown
 };
 
 // A player who dies while hammering space or the mouse must not skip the result unseen.

@@ -28,7 +28,8 @@ class Icon {
   }
   // A star's inner corners lie on `inner`; 1 gives a plain polygon.
   void star(int corners, float outer, float inner, float turned) const {
-    for (int i = 0; i < corners; ++i) line(at(i, corners, outer, inner, turned), at(i + 1, corners, outer, inner, turned));
+    for (int i = 0; i < corners; ++i)
+      line(at(i, corners, outer, inner, turned), at(i + 1, corners, outer, inner, turned));
   }
   void square(float left, float top, float side) const {
     canvas_.rectangle(x_ + left * radius_, y_ + top * radius_, side * radius_, side * radius_, colour_);
@@ -54,19 +55,25 @@ class Icon {
 void drawShapeIcon(Canvas& canvas, Shape shape, float x, float y, float radius, Rgba colour) {
   const Icon icon(canvas, x, y, radius, colour);
   switch (shape) {
-    case Shape::triangle: return icon.closed({{1, 0}, {-.7f, .85f}, {-.7f, -.85f}});
-    case Shape::square: return icon.closed({{.8f, .8f}, {-.8f, .8f}, {-.8f, -.8f}, {.8f, -.8f}});
-    case Shape::hexagon: return icon.star(6, 1, 1, 0);
-    case Shape::dart: return icon.closed({{1, 0}, {-.9f, .7f}, {-.4f, 0}, {-.9f, -.7f}});
+    case Shape::triangle:
+      return icon.closed({{1, 0}, {-.7f, .85f}, {-.7f, -.85f}});
+    case Shape::square:
+      return icon.closed({{.8f, .8f}, {-.8f, .8f}, {-.8f, -.8f}, {.8f, -.8f}});
+    case Shape::hexagon:
+      return icon.star(6, 1, 1, 0);
+    case Shape::dart:
+      return icon.closed({{1, 0}, {-.9f, .7f}, {-.4f, 0}, {-.9f, -.7f}});
     case Shape::checkered:
       icon.closed({{.8f, .8f}, {-.8f, .8f}, {-.8f, -.8f}, {.8f, -.8f}});
       icon.square(-.8f, -.8f, .8f);
       return icon.square(0, 0, .8f);
-    case Shape::star: return icon.star(8, 1, .42f, 0);
+    case Shape::star:
+      return icon.star(8, 1, .42f, 0);
     case Shape::doubleRing:
       icon.star(16, 1, 1, 0);
       return icon.star(10, .5f, .5f, 0);
-    default: return icon.closed({{.8f, 0}, {0, .8f}, {-.8f, 0}, {0, -.8f}});
+    default:
+      return icon.closed({{.8f, 0}, {0, .8f}, {-.8f, 0}, {0, -.8f}});
   }
 }
 

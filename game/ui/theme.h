@@ -9,12 +9,12 @@
 namespace gw::theme {
 
 inline constexpr Rgba kText = rgbaOf(0xdff6ff);
-inline constexpr Rgba kQuiet = rgbaOf(0x7fa6bd);    // labels
-inline constexpr Rgba kAccent = rgbaOf(0x35e0ff);   // the ship's cyan
-inline constexpr Rgba kGold = rgbaOf(0xffc247);     // multiplier
+inline constexpr Rgba kQuiet = rgbaOf(0x7fa6bd);   // labels
+inline constexpr Rgba kAccent = rgbaOf(0x35e0ff);  // the ship's cyan
+inline constexpr Rgba kGold = rgbaOf(0xffc247);    // multiplier
 inline constexpr Rgba kGood = rgbaOf(0x5dffa5);
 inline constexpr Rgba kDanger = rgbaOf(0xff4a5e);
-inline constexpr Rgba kShade = rgbaOf(0x03060d);    // behind menus
+inline constexpr Rgba kShade = rgbaOf(0x03060d);  // behind menus
 
 inline constexpr float kMargin = 28;
 

@@ -15,11 +15,8 @@ struct Control {
   const char* keys;
   const char* does;
 };
-constexpr Control kControls[] = {{"WASD", "move"},
-                                 {"ARROWS or MOUSE", "aim and fire"},
-                                 {"SPACE", "flush"},
-                                 {"ESC", "pause"},
-                                 {"F", "fullscreen"}};
+constexpr Control kControls[] = {
+    {"WASD", "move"}, {"ARROWS or MOUSE", "aim and fire"}, {"SPACE", "flush"}, {"ESC", "pause"}, {"F", "fullscreen"}};
 
 // "WASD move   ARROWS or MOUSE aim and fire   ..." in two colours, as one centred line.
 void drawControls(Canvas& canvas, float baseline) {

@@ -8,11 +8,11 @@
 namespace gw {
 
 struct TitleFrame {
-  double time_s = 0;       // since it is shown
-  std::string device;      // what simulates, e.g. "cpu, 2 threads"
-  uint32_t enemies = 0;    // that fit
-  std::string mode;        // "arcade"
-  uint64_t best = 0;       // of this session
+  double time_s = 0;     // since it is shown
+  std::string device;    // what simulates, e.g. "cpu, 2 threads"
+  uint32_t enemies = 0;  // that fit
+  std::string mode;      // "arcade"
+  uint64_t best = 0;     // of this session
 };
 
 void drawTitle(Canvas& canvas, const TitleFrame& frame);

@@ -44,8 +44,9 @@ class RememberingCanvas final : public Canvas {
   void nextLayer() override {}
 
   bool says(const std::string& what) const {
-    return std::any_of(texts.begin(), texts.end(),
-                       [&](const Text& t) { return t.text.find(what) != std::string::npos && t.style.colour.alpha > 0.05f; });
+    return std::any_of(texts.begin(), texts.end(), [&](const Text& t) {
+      return t.text.find(what) != std::string::npos && t.style.colour.alpha > 0.05f;
+    });
   }
 
   std::vector<Text> texts;
@@ -128,7 +129,8 @@ TEST(UiHudTest, SaysEverythingThatIsPromised) {
   HudFrame frame;
   frame.realFps = 143.7;
   drawHud(canvas, run, someRules(), frame);
-  for (const char* text : {"BUDGET", "60.0 FPS", "real 144", "1,234,567", "x12.4", "1,204", "7", "1:15", "/s", "FLUSH"}) {
+  for (const char* text :
+       {"BUDGET", "60.0 FPS", "real 144", "1,234,567", "x12.4", "1,204", "7", "1:15", "/s", "FLUSH"}) {
     EXPECT_TRUE(canvas.says(text)) << text;
   }
   EXPECT_EQ(canvas.triangles, 2 * 3) << "one filled diamond a flush";
