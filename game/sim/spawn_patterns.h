@@ -22,10 +22,10 @@ GW_FN float folded(float value, float size) {
 GW_FN Float2 cleared(Float2 place, float ship_x, float ship_y, const Limits& limits, float clearance_m) {
   if (length(place.x - ship_x, place.y - ship_y) >= clearance_m) return place;
   place = {limits.width_m - place.x, limits.height_m - place.y};
-  const float dx = place.x - ship_x, dy = place.y - ship_y;
-  if (length(dx, dy) >= clearance_m) return place;
-  // Only in a world smaller than the game's own can a wall be in the way on both sides.
-  const float away_x = dx < 0.0f ? -clearance_m : clearance_m, away_y = dy < 0.0f ? -clearance_m : clearance_m;
+  if (length(place.x - ship_x, place.y - ship_y) >= clearance_m) return place;
+  // The ship is near the middle of the world: towards the farther walls there is room.
+  const float away_x = 2.0f * ship_x > limits.width_m ? -clearance_m : clearance_m;
+  const float away_y = 2.0f * ship_y > limits.height_m ? -clearance_m : clearance_m;
   return {folded(ship_x + away_x, limits.width_m), folded(ship_y + away_y, limits.height_m)};
 }
 
