@@ -78,8 +78,10 @@ struct Report {
     report.contacts = m.contacts;
     report.contactType = s.contactType;
     report.contactCost_us = s.contactCost_us;
-    report.transitions = m.totals.transitions;
-    sounds(report, m.totals, s);
+    // Once the game is over the totals stand still: they were reported when they were new.
+    const Totals fresh = m.over ? Totals{} : m.totals;
+    report.transitions = fresh.transitions;
+    sounds(report, fresh, s);
     v.reports[s.sequence % Simulation::kTicksInFlight] = report;
     ++s.sequence;
   }
