@@ -1,5 +1,6 @@
 #include "game/sim/snapshot.h"
 
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -25,7 +26,9 @@ const Buffer<T>& front(const Buffer<T> (&sides)[2], const T* data) {
   return sides[0].data() == data ? sides[0] : sides[1];
 }
 
-void checkSnapshot(const Snapshot& snapshot, uint32_t capacity) {
+// What kernels would follow without looking: an id, a type, a state, a place.
+void checkSnapshot(const Snapshot& snapshot, const Tables& tables) {
+  const uint32_t capacity = tables.limits.capacity;
   if (snapshot.master.size() != sizeof(Master)) {
     throw std::invalid_argument("The snapshot was made by another version of the game; take a new one.");
   }
@@ -34,7 +37,16 @@ void checkSnapshot(const Snapshot& snapshot, uint32_t capacity) {
     if (e.id >= capacity || (i > 0 && e.id <= snapshot.entities[i - 1].id)) {
       throw std::invalid_argument("The snapshot's entities do not fit; restore it with the capacity it was taken with.");
     }
-    if (e.type >= kTypeCount) throw std::invalid_argument("The snapshot holds an entity of no known type.");
+    const bool enemy = isEnemy(e.type);
+    if (e.type >= kTypeCount || (enemy && e.type >= tables.rules.enemyTypeCount)) {
+      throw std::invalid_argument("The snapshot holds an entity of no known type; restore it with the rules it was taken with.");
+    }
+    if (enemy && e.state >= uint32_t(State::count)) {
+      throw std::invalid_argument("The snapshot holds an enemy in no known state; take a new one.");
+    }
+    if (!std::isfinite(e.x) || !std::isfinite(e.y) || !std::isfinite(e.previous_x) || !std::isfinite(e.previous_y)) {
+      throw std::invalid_argument("The snapshot holds an entity that is nowhere; take a new one.");
+    }
   }
 }
 
@@ -67,7 +79,9 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
 }
 
 void restoreSnapshot(Queue& queue, GameState& state, const View& next, const Snapshot& snapshot) {
-  checkSnapshot(snapshot, next.capacity);
+  Tables tables;
+  state.tables.download(&tables, 1);
+  checkSnapshot(snapshot, tables);
   const uint32_t n = next.capacity;
   std::vector<Cell> now(n), before(n);
   std::vector<Float4> force(n), direction(n), motion(n);
