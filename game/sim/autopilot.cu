@@ -73,9 +73,7 @@ struct Novice : Bot<Search> {
   static constexpr float kLate_ticks = 18.0f;
 
   GW_BODY void operator()(uint32_t) const {
-    const Master& m = *v.master;
-    if (m.tick % kEvery_ticks == 0) *v.botHeld = decide();
-    v.scratch->input = *v.botHeld;
+    v.scratch->input = v.master->tick % kEvery_ticks == 0 ? decide() : v.master->input;
   }
 
   GW_BODY InputRecord decide() const {
@@ -131,8 +129,7 @@ struct Expert : Bot<Search> {
   };
 
   GW_BODY void operator()(uint32_t) const {
-    if (v.master->tick % kEvery_ticks == 0) *v.botHeld = decide();
-    v.scratch->input = *v.botHeld;
+    v.scratch->input = v.master->tick % kEvery_ticks == 0 ? decide() : v.master->input;
   }
 
   GW_BODY InputRecord decide() const {

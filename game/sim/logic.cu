@@ -39,7 +39,7 @@ struct MasterThread {
     fire(m, s, r, s.input, last);
     flush(m, s, r, s.input);
     waves(m, s, r, last);
-    m.ship.buttons = s.input.buttons;
+    m.input = s.input;
   }
 
   // What died and what was collected in the last tick.
@@ -135,7 +135,7 @@ struct MasterThread {
       m.flushRadius_m += r.flush.speed_mps * kTick_s;
       if (m.flushRadius_m > r.flush.reach_m) m.flushRadius_m = 0.0f;
     }
-    const bool pressed = (input.buttons & kButtonFlush) && !(m.ship.buttons & kButtonFlush);
+    const bool pressed = (input.buttons & kButtonFlush) && !(m.input.buttons & kButtonFlush);
     if (!pressed || m.flushes == 0 || m.flushRadius_m > 0.0f) return;
     --m.flushes;
     m.flush_x = m.ship.x;

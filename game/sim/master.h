@@ -35,7 +35,6 @@ struct Ship {
   float aim_rad = 0;
   uint32_t untouchable_ticks = 0;
   uint32_t fire_ticks = 0;  // until the next salvo
-  uint32_t buttons = 0;     // of the tick before: the flush goes off when its button goes down
 };
 
 struct Master {
@@ -63,7 +62,7 @@ struct Master {
   uint32_t bitsTaken = 0;
   uint32_t refused = 0;
   uint32_t peakEnemies = 0;
-  uint32_t reserved = 0;
+  InputRecord input{};       // of the tick before: a button goes down once, and a bot holds on to what it decided
   uint32_t killsByType[kMaxEnemyTypes] = {};
 };
 static_assert(sizeof(Master) % sizeof(uint64_t) == 0);

@@ -37,7 +37,6 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   scratch = Buffer<TickScratch>(queue, 1);
   inputs = Buffer<InputRecord>(queue, Simulation::kTicksInFlight);
   reports = Buffer<TickReport>(queue, Simulation::kTicksInFlight);
-  botHeld = Buffer<InputRecord>(queue, 1);
   cellOf = Buffer<uint32_t>(queue, n);
   velocityPrevious = Buffer<Float4>(queue, n);
   state = Buffer<Uint4>(queue, n);
@@ -89,7 +88,6 @@ View GameState::view(uint32_t parity) const {
   v.scratch = scratch.data();
   v.inputs = inputs.data();
   v.reports = reports.data();
-  v.botHeld = botHeld.data();
   v.cells = cells[front].data();
   v.moved = cells[back].data();
   v.cellOf = cellOf.data();

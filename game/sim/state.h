@@ -29,7 +29,6 @@ struct View {
   TickScratch* scratch;
   InputRecord* inputs;   // ring of kTicksInFlight, by tick
   TickReport* reports;   // ring of kTicksInFlight, by tick
-  InputRecord* botHeld;  // the autopilot's last decision
 
   Cell *cells, *moved;
   uint32_t* cellOf;  // [id]
@@ -101,7 +100,7 @@ class GameState {
   Buffer<Tables> tables;
   Buffer<Master> master;
   Buffer<TickScratch> scratch;
-  Buffer<InputRecord> inputs, botHeld;
+  Buffer<InputRecord> inputs;
   Buffer<TickReport> reports;
   Buffer<Cell> cells[2];
   Buffer<uint32_t> cellOf;
