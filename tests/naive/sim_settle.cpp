@@ -1,0 +1,36 @@
+#include <cmath>
+
+#include "game/sim/entity_flags.h"
+#include "tests/naive/sim_world.h"
+
+namespace gw::naive {
+
+void settle(World& world) {
+  Totals& t = world.master.totals;
+  const Ship& ship = world.master.ship;
+  for (const Entity& e : world.entities) {
+    if (e.type == kTypeBit && e.taken) ++t.bitsTaken;
+    if (e.gone) continue;
+    ++t.occupied[e.type];
+    if (!world.isEnemy(e)) continue;
+    const float dx = e.x - ship.x, dy = e.y - ship.y;
+    if (e.transited) ++t.transitions;
+    if (e.state == uint32_t(Kamikaze::dead)) {
+      ++t.dying;
+      if (!e.died) continue;
+      ++t.killSounds[dx < -6.0f ? 0 : dx > 6.0f ? 2 : 1];
+      if (e.flags & kFlagBlasted) continue;
+      if (e.flags & kFlagFlushed) {
+        ++t.bareKills[e.type];
+      } else {
+        ++t.kills[e.type];
+      }
+      continue;
+    }
+    if (std::fabs(dx) <= world.rules.idle.halfWidth_m && std::fabs(dy) <= world.rules.idle.halfHeight_m) ++t.inView;
+    if (world.isAnnounced(e) || e.state == uint32_t(Kamikaze::attacking)) ++t.coming;
+  }
+  std::erase_if(world.entities, [](const Entity& e) { return e.gone; });
+}
+
+}  // namespace gw::naive
