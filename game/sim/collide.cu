@@ -155,6 +155,8 @@ struct Suffer {
       return;
     }
     if (ship.untouchable_ticks > 0) return;
+    const float near = reachOf(rules) + r.ship.radius_m + enemyStep_m(v) + r.ship.speed_mps * kTick_s + kMargin_m;
+    if (distance > near) return;  // nearly all: the sweep need not be asked
     const float t = sweepBody(ship.previous_x - from.x, ship.previous_y - from.y,
                               (ship.x - ship.previous_x) - (to.x - from.x),
                               (ship.y - ship.previous_y) - (to.y - from.y), r.ship.radius_m, rules);
