@@ -69,6 +69,13 @@ TEST_F(integrate, velocity_comes_from_force_and_mass_and_place_from_velocity) {
   EXPECT_EQ(after.previous_y, 50.0f);
 }
 
+TEST_F(integrate, nobody_moves_faster_than_the_limit_but_keeps_the_velocity) {
+  const float limit_m = fixture.limits().fastestEnemy_mps * kTick_s;
+  EXPECT_FLOAT_EQ(step(1, 50.0f, 50.0f, 25.0f, 0.0f).x, 50.0f + limit_m);
+  EXPECT_FLOAT_EQ(step(1, 50.0f, 50.0f, 23.0f, 0.0f).x, 50.0f + 23.0f / 60.0f);
+  EXPECT_EQ(step(1, 50.0f, 50.0f, 25.0f, 0.0f).velocity_x, 25.0f);
+}
+
 TEST_F(integrate, walls_turn_velocity_and_heading_round) {
   const float width = fixture.limits().width_m, height = fixture.limits().height_m;
   const EntityRecord left = step(2, 1.21f, 50.0f, -6.0f, 1.0f);
@@ -91,8 +98,9 @@ RC_GTEST_FIXTURE_PROP(integrate, enemies_stay_inside_and_under_the_speed_limit, 
   EntityRecord e = enemyAt(rules, 0, type, 0.0f, 0.0f);
   e.x = std::clamp(number(0, 192), body.halfWidth_m, width - body.halfWidth_m);
   e.y = std::clamp(number(0, 108), body.halfHeight_m, height - body.halfHeight_m);
-  e.velocity_x = number(-500, 500);
-  e.velocity_y = number(-500, 500);
+  const float fastest = below(2) ? 40.0f : 500.0f;  // half of them not far from the limit
+  e.velocity_x = number(-fastest, fastest);
+  e.velocity_y = number(-fastest, fastest);
   e.push_x = number(-6, 6);
   e.force_y = number(-900, 900);
   world.add(e);
