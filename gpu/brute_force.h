@@ -14,8 +14,20 @@ struct BruteForce {
   // As RowGather::operator(); O(count) per query. Dead cells are passed over and not counted.
   template <class Visitor>
   GW_MEMBER uint32_t operator()(float x, float y, float radius, Visitor&& visit) const {
+    return visitFrom(0, x, y, radius, visit);
+  }
+
+  // As RowGather::after().
+  template <class Visitor>
+  GW_MEMBER uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
+    return visitFrom(index + 1, x, y, radius, visit);
+  }
+
+ private:
+  template <class Visitor>
+  GW_MEMBER uint32_t visitFrom(uint32_t begin, float x, float y, float radius, Visitor&& visit) const {
     uint32_t tested = 0;
-    for (uint32_t i = count; i-- > 0;) {
+    for (uint32_t i = count; i-- > begin;) {
       if (!isLiving(cells[i].x)) continue;
       const float dx = cells[i].x - x, dy = cells[i].y - y;
       ++tested;

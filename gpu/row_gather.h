@@ -24,24 +24,46 @@ struct RowGather {
   // is that of the cells and must not matter. radius in (0, infinity), x and y finite.
   template <class Visitor>
   GW_MEMBER uint32_t operator()(float x, float y, float radius, Visitor&& visit) const {
+    return visitRows(firstRow(y, radius), x, y, radius, visit);
+  }
+
+  // The same, but only what stands in a cell after `index`, where (x, y) itself stands: over all cells each
+  // pair is found once, from one side, for half the tests.
+  template <class Visitor>
+  GW_MEMBER uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
+    const uint32_t row = index / grid.columns;
+    const uint32_t tested = visitSpan(row, index % grid.columns + 1, x, y, radius, visit);
+    return tested + visitRows(larger(row + 1, firstRow(y, radius)), x, y, radius, visit);
+  }
+
+ private:
+  template <class Visitor>
+  GW_MEMBER uint32_t visitRows(uint32_t begin, float x, float y, float radius, Visitor&& visit) const {
     uint32_t tested = 0;
-    const uint32_t begin = firstRow(y, radius), end = endRow(y, radius);
+    const uint32_t end = endRow(y, radius);
     for (uint32_t row = begin; row < end; ++row) {
       if (grid.low[row] - y > radius || y - grid.high[row] > radius) continue;
       const Cell* line = grid.cells + row * grid.columns;
-      const uint32_t living = grid.living[row];
-      for (uint32_t c = firstColumn(line, living, x, radius); c < living; ++c) {
-        const float dx = line[c].x - x;
-        if (dx > radius) break;
-        const float dy = line[c].y - y;
-        ++tested;
-        if (isNeighbour(dx, dy, radius)) visit(line[c], row * grid.columns + c, dx, dy);
-      }
+      tested += visitSpan(row, firstColumn(line, grid.living[row], x, radius), x, y, radius, visit);
     }
     return tested;
   }
 
- private:
+  // The columns of one row from `begin` on, until x has left the radius.
+  template <class Visitor>
+  GW_MEMBER uint32_t visitSpan(uint32_t row, uint32_t begin, float x, float y, float radius, Visitor&& visit) const {
+    const Cell* line = grid.cells + row * grid.columns;
+    const uint32_t living = grid.living[row];
+    uint32_t tested = 0;
+    for (uint32_t c = begin; c < living; ++c, ++tested) {
+      const float dx = line[c].x - x;
+      if (dx > radius) break;
+      const float dy = line[c].y - y;
+      if (isNeighbour(dx, dy, radius)) visit(line[c], row * grid.columns + c, dx, dy);
+    }
+    return tested;
+  }
+
   GW_MEMBER uint32_t firstRow(float y, float radius) const {
     uint32_t begin = 0, count = grid.rows;
     while (count > 0) {

@@ -1,8 +1,9 @@
-// Collide: the narrow phase, swept over the motion of this tick, in three passes.
+// Collide: the narrow phase, swept over the motion of this tick, in passes.
 //
 //   choose   each shot picks the victim it meets first (ties: the lowest id)
 //   suffer   each enemy takes the shots that picked it in (time, id) order until its energy is gone; the
-//            ship's contact, its blast and the flush; contact response: knock-back, and the push apart
+//            ship's contact, its blast and the flush; knock-back
+//   push     overlapping enemies are pushed apart, each pair once; then each responds to its sum
 //   finish   each shot that picked a victim stays at the meeting point for this tick, spent or flying on:
 //            so it cannot skip a second victim behind the first
 //
@@ -28,7 +29,9 @@ GW_FN bool canBeHit(const View& v, uint32_t id) {
 }
 
 // The farthest that any enemy moved in this tick.
-GW_FN float enemyStep_m(const View& v) { return sqrtf(floatOf(uint32_t(v.scratch->longestStep2))) + kMargin_m; }
+GW_FN float enemyStep_m(const View& v) {
+  return sqrtf(floatOf(uint32_t(v.scratch->longestStep2))) + kMargin_m;
+}
 
 // Where a shot comes to in this tick when it meets nobody. Not from `moved`: integrate has taken out of it
 // the shots that leave the world or end now, and what stands in their last way is hit all the same.
@@ -37,13 +40,14 @@ GW_FN Float2 endOfFlight(const View& v, const Cell& from) {
   return {from.x + motion.x * kTick_s, from.y + motion.y * kTick_s};
 }
 
-// One item: one id. Nobody has picked anybody yet.
+// One item: one id. Nobody has picked or pushed anybody yet.
 struct ClearChoices {
   View v;
   GW_BODY void operator()(uint32_t id) const {
     v.choice[id] = kNobody;
     v.chosenBy[id] = 0;
     v.spent[id] = 0;
+    v.pushSum[2 * id] = v.pushSum[2 * id + 1] = 0;
   }
 };
 
@@ -60,8 +64,7 @@ struct ChooseVictims {
     const Rules& r = v.tables->rules;
     const float dx = to.x - from.x, dy = to.y - from.y;
     const uint32_t last = v.target[from.id], lastButOne = v.state[from.id].w;
-    const float reach =
-        length(dx, dy) + r.shot.radius_m + v.tables->limits.largestReach_m + enemyStep_m(v) + kMargin_m;
+    const float reach = length(dx, dy) + r.shot.radius_m + v.tables->limits.largestReach_m + enemyStep_m(v) + kMargin_m;
     float first = kNoMeeting;
     uint32_t victim = kNobody;
     search(from.x, from.y, reach, [&](const Cell& other, uint32_t place, float, float) {
@@ -93,7 +96,6 @@ struct Suffer {
     const Cell to = v.moved[i];
     if (v.chosenBy[from.id] > 0) takeShots(from);
     if (!isAnnounced(v, from.id)) meetShip(from, to);
-    respond(from.id, separation(from, to));
   }
 
  private:
@@ -157,22 +159,33 @@ struct Suffer {
     if (ship.untouchable_ticks > 0) return;
     const float near = reachOf(rules) + r.ship.radius_m + enemyStep_m(v) + r.ship.speed_mps * kTick_s + kMargin_m;
     if (distance > near) return;  // nearly all: the sweep need not be asked
-    const float t = sweepBody(ship.previous_x - from.x, ship.previous_y - from.y,
-                              (ship.x - ship.previous_x) - (to.x - from.x),
-                              (ship.y - ship.previous_y) - (to.y - from.y), r.ship.radius_m, rules);
+    const float t =
+        sweepBody(ship.previous_x - from.x, ship.previous_y - from.y, (ship.x - ship.previous_x) - (to.x - from.x),
+                  (ship.y - ship.previous_y) - (to.y - from.y), r.ship.radius_m, rules);
     if (t <= 1.0f) atomicRaiseTo(v.master->totals.contact, uint64_t(rules.contact_us) << 32 | (~from.id & 0xFFFFFFFFu));
   }
+};
 
-  // The push that takes overlapping bodies apart: each pair shares its depth by mass, half of it per tick.
-  GW_BODY Float2 separation(const Cell& from, const Cell& to) const {
+// One item: one cell; works for enemies. Overlapping bodies are pushed apart: each pair shares its depth by
+// mass, half of it per tick. A pair is found once, from the cell that comes first, and pushes both ways;
+// integer sums do not mind the order.
+template <class Search>
+struct PushApart {
+  View v;
+  Search search;
+
+  GW_BODY void operator()(uint32_t i) const {
+    const Cell from = v.cells[i];
+    if (!isEnemy(from.type) || v.master->over || v.state[from.id].x == uint32_t(State::dead)) return;
+    const Cell to = v.moved[i];
     const Rules& r = v.tables->rules;
     const EnemyRules& own = r.enemies[from.type];
     const float mass = v.nextDirectionMass[from.id].z;
     const float steps = 2.0f * enemyStep_m(v), reach = reachOf(own) + v.tables->limits.largestReach_m + steps;
     const float near_x = own.halfWidth_m + steps, near_y = own.halfHeight_m + steps;
     FixedSum2 sum;
-    search(from.x, from.y, reach, [&](const Cell& other, uint32_t place, float dx, float dy) {
-      if (!isEnemy(other.type) || other.id == from.id) return;
+    search.after(i, from.x, from.y, reach, [&](const Cell& other, uint32_t place, float dx, float dy) {
+      if (!isEnemy(other.type)) return;
       const EnemyRules& theirs = r.enemies[other.type];
       // Most are out of reach even by their boxes, and need not be looked up.
       if (magnitude(dx) > near_x + theirs.halfWidth_m || magnitude(dy) > near_y + theirs.halfHeight_m) return;
@@ -180,16 +193,39 @@ struct Suffer {
       const Float2 deep = overlap(own, theirs, to.x - end.x, to.y - end.y, from.id < other.id ? 1.0f : -1.0f);
       if (deep.x == 0.0f && deep.y == 0.0f) return;
       if (v.state[other.id].x == uint32_t(State::dead)) return;
-      const float otherMass = v.nextDirectionMass[other.id].z;
-      const float share = otherMass / (mass + otherMass) * (0.5f * float(kTicksPerSecond));
+      constexpr float kPerTick = 0.5f * float(kTicksPerSecond);
+      const float otherMass = v.nextDirectionMass[other.id].z, masses = mass + otherMass;
+      const float share = otherMass / masses * kPerTick, theirShare = mass / masses * kPerTick;
       sum.add(deep.x * share, deep.y * share, kPushScale);
+      FixedSum2 back;
+      back.add(-deep.x * theirShare, -deep.y * theirShare, kPushScale);
+      addTo(other.id, back);
     });
-    const Float2 push = sum.total(kPushScale);
-    const float speed = length(push.x, push.y), most = r.steering.separation_mps;
-    if (speed <= most) return push;
-    return {push.x * (most / speed), push.y * (most / speed)};
+    addTo(from.id, sum);
   }
 
+ private:
+  GW_BODY void addTo(uint32_t id, FixedSum2 sum) const {
+    if (sum.x != 0) atomicAddTo64(v.pushSum[2 * id], uint64_t(sum.x));
+    if (sum.y != 0) atomicAddTo64(v.pushSum[2 * id + 1], uint64_t(sum.y));
+  }
+};
+
+// One item: one cell; works for enemies.
+struct Respond {
+  View v;
+
+  GW_BODY void operator()(uint32_t i) const {
+    const Cell cell = v.cells[i];
+    if (!isEnemy(cell.type) || v.master->over || v.state[cell.id].x == uint32_t(State::dead)) return;
+    const FixedSum2 sum{int64_t(v.pushSum[2 * cell.id]), int64_t(v.pushSum[2 * cell.id + 1])};
+    Float2 push = sum.total(kPushScale);
+    const float speed = length(push.x, push.y), most = v.tables->rules.steering.separation_mps;
+    if (speed > most) push = {push.x * (most / speed), push.y * (most / speed)};
+    respond(cell.id, push);
+  }
+
+ private:
   // Moves by the push in the next tick; and what flies against it loses that part of its velocity, the more
   // the harder the push. Without this a crowd faster than the push would shrink to a point.
   GW_BODY void respond(uint32_t id, Float2 push) const {
@@ -238,7 +274,9 @@ void collide(Queue& queue, const View& view) {
   withSearch(view, [&](auto search) {
     forEach(queue, all, ChooseVictims<decltype(search)>{view, search});
     forEach(queue, all, Suffer<decltype(search)>{view, search});
+    forEach(queue, all, PushApart<decltype(search)>{view, search});
   });
+  forEach(queue, all, Respond{view});
   forEach(queue, all, FinishShots{view});
 }
 

@@ -7,7 +7,7 @@ namespace gw::GW_DEVICE {
 namespace {
 
 constexpr uint32_t kLayers = 4, kBlock = 1024, kNoLayer = kLayers;
-constexpr float kLargestSprite_m = 3.0f;  // how far past the view's edge a sprite can still show
+constexpr float kLargestSprite = 3.2f;  // an announced enemy's outline, in half extents, with its glow
 
 // One item: one id. 1 << (16 * layer) when it shows, so that one sum counts all layers of a block.
 struct FindLayers {
@@ -24,8 +24,9 @@ struct FindLayers {
   GW_BODY uint32_t layerOf(uint32_t id) const {
     const Cell cell = v.cells[v.cellOf[id]];
     if (cell.type == kTypeNone) return kNoLayer;
-    if (magnitude(cell.x - window.centre_x) > window.halfWidth_m + kLargestSprite_m ||
-        magnitude(cell.y - window.centre_y) > window.halfHeight_m + kLargestSprite_m) {
+    const float past_m = larger(1.0f, kLargestSprite * v.tables->limits.largestReach_m);
+    if (magnitude(cell.x - window.centre_x) > window.halfWidth_m + past_m ||
+        magnitude(cell.y - window.centre_y) > window.halfHeight_m + past_m) {
       return kNoLayer;
     }
     if (cell.type == kTypeBit) return 0;

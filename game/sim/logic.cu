@@ -175,8 +175,9 @@ struct MasterThread {
   }
 
   GW_BODY void endlessWave(Master& m, TickScratch& s, const Rules& r, uint32_t& room) const {
+    ++m.endless;  // the k of the rules, from 1
+    m.endlessPoints = smaller(m.endlessPoints * r.endless.growth, 1.0e6f);
     const uint32_t groups = m.endless % 3 + 1;
-    ++m.endless;
     uint32_t chances = 0;
     for (uint32_t t = 0; t < r.enemyTypeCount; ++t) chances += r.endless.chance_percent[t];
     for (uint32_t g = 0; g < groups; ++g) {
@@ -188,7 +189,6 @@ struct MasterThread {
       const float count = clamp(m.endlessPoints / (float(groups) * r.endless.price[type]), 1.0f, 1.0e6f);
       group(m, s, type, uint32_t(count), Pattern(dice.y % uint32_t(Pattern::count)), room);
     }
-    m.endlessPoints = smaller(m.endlessPoints * r.endless.growth, 1.0e6f);
   }
 
   GW_BODY void group(Master& m, TickScratch& s, uint32_t type, uint32_t count, Pattern pattern, uint32_t& room) const {

@@ -43,6 +43,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   push = Buffer<Float2>(queue, n);
   choiceTime = Buffer<float>(queue, n);
   for (auto* words : {&birthTick, &target, &choice, &chosenBy, &spent, &event}) *words = Buffer<uint32_t>(queue, n);
+  pushSum = Buffer<uint64_t>(queue, 2 * size_t(n));
   for (auto* words : {&births, &hashes}) *words = Buffer<uint64_t>(queue, n);
 
   std::vector<Cell> empty(n);
@@ -109,6 +110,7 @@ View GameState::view(uint32_t parity) const {
   v.chosenBy = chosenBy.data();
   v.spent = spent.data();
   v.event = event.data();
+  v.pushSum = pushSum.data();
   v.hashes = hashes.data();
   v.capacity = limits_.capacity;
   v.broadPhase = broadPhase_;

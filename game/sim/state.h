@@ -52,6 +52,7 @@ struct View {
   uint32_t* chosenBy;   // how many shots picked this victim
   uint32_t* spent;      // 1: the shot's hit was taken
   uint32_t* event;      // EntityEvent bits
+  uint64_t* pushSum;    // [2 * id], [2 * id + 1]: x and y of the push, in fixed point, as two's complement
   uint64_t* hashes;     // by cell
 
   uint32_t capacity;
@@ -109,7 +110,7 @@ class GameState {
   Buffer<Float2> push;
   Buffer<uint32_t> birthTick, target, choice, chosenBy, spent, event;
   Buffer<float> choiceTime;
-  Buffer<uint64_t> births, hashes;
+  Buffer<uint64_t> births, hashes, pushSum;
 
  private:
   Limits limits_;

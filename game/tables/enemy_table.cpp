@@ -57,7 +57,7 @@ EnemyRules readEnemy(TomlTable& table, const Rules& rules) {
   readName(table, rules, enemy);
   enemy.machine = readMachine(table);
   readBounds(table, enemy);
-  enemy.speed_mps = table.number("speed_mps", 0.1, 60);
+  enemy.speed_mps = table.number("speed_mps", 0.1, 18);  // damaged and pushed it stays under what integrate allows
   enemy.sight_m = table.number("sight_m", 1, 1000);
   enemy.vision_m = table.number("vision_m", 0.5, 20);
   enemy.energy = table.number("energy", 1, 1000);

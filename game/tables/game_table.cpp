@@ -57,7 +57,7 @@ ShotLevel readShotLevel(TomlTable& table, const Rules::Shot& shot) {
   level.count = table.integer32("count", 1, 16);
   level.spread_rad = table.number("spread_rad", 0, 0.5);
   level.every_ticks = table.integer32("every_ticks", 1, 60);
-  level.hits = table.integer32("hits", 1, 100);
+  level.hits = table.integer32("hits", 1, 3);  // a shot remembers its last two victims, and hits none twice
   table.done();
   return level;
 }

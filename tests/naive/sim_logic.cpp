@@ -138,6 +138,8 @@ void bringGroup(World& world, uint32_t type, uint32_t count, Pattern pattern, ui
 void bringEndless(World& world, uint32_t& room) {
   Master& m = world.master;
   const Rules::Endless& e = world.rules.endless;
+  ++m.endless;
+  m.endlessPoints = std::min(m.endlessPoints * e.growth, 1.0e6f);
   const uint32_t groups = 1 + m.endless % 3;
   for (uint32_t g = 0; g < groups; ++g) {
     const auto dice = cpu::philox(m.seed, {m.tick, g, kEndlessPurpose, 0});
@@ -147,8 +149,6 @@ void bringEndless(World& world, uint32_t& room) {
     const float count = std::clamp(m.endlessPoints / (float(groups) * e.price[type]), 1.0f, 1.0e6f);
     bringGroup(world, type, uint32_t(count), Pattern(dice.y % uint32_t(Pattern::count)), room);
   }
-  ++m.endless;
-  m.endlessPoints = std::min(m.endlessPoints * e.growth, 1.0e6f);
 }
 
 void bringWaves(World& world, const Totals& last) {

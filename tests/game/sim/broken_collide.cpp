@@ -20,16 +20,27 @@ struct Broken {
 
   template <class Visitor>
   uint32_t operator()(float x, float y, float radius, Visitor&& visit) const {
-    if (breakage == Break::shortRadius) return search(x, y, 0.7f * radius, visit);
-    if (breakage == Break::shortByHalf) return search(x, y, radius - 0.5f, visit);
-    if (breakage == Break::nothing) return search(x, y, radius, visit);
+    return broken(radius, visit, [&](float r, const auto& see) { return search(x, y, r, see); });
+  }
+
+  template <class Visitor>
+  uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
+    return broken(radius, visit, [&](float r, const auto& see) { return search.after(index, x, y, r, see); });
+  }
+
+ private:
+  template <class Visitor, class Look>
+  static uint32_t broken(float radius, Visitor&& visit, const Look& look) {
+    if (breakage == Break::shortRadius) return look(0.7f * radius, visit);
+    if (breakage == Break::shortByHalf) return look(radius - 0.5f, visit);
+    if (breakage == Break::nothing) return look(radius, visit);
     struct Found {
       Cell cell;
       uint32_t place;
       float dx, dy;
     };
     std::optional<Found> held;  // one behind: the last is never handed on
-    return search(x, y, radius, [&](const Cell& cell, uint32_t place, float dx, float dy) {
+    return look(radius, [&](const Cell& cell, uint32_t place, float dx, float dy) {
       if (held) visit(held->cell, held->place, held->dx, held->dy);
       held = Found{cell, place, dx, dy};
     });

@@ -40,12 +40,15 @@ class draw_list : public ::testing::Test {
     return vertices;
   }
 
+  // An announced enemy is drawn larger than it is.
+  static constexpr float past_m = 3.2f * 1.2f;
+
   // Who should be drawn, from the bottom up, as places: all places in a scene differ.
   std::vector<std::pair<float, float>> wanted(const DrawView& window) const {
     std::vector<std::vector<std::pair<float, float>>> layers(4);
     for (const naive::Entity& e : world.entities) {
-      if (std::fabs(e.x - window.centre_x) > window.halfWidth_m + 3.0f) continue;
-      if (std::fabs(e.y - window.centre_y) > window.halfHeight_m + 3.0f) continue;
+      if (std::fabs(e.x - window.centre_x) > window.halfWidth_m + past_m) continue;
+      if (std::fabs(e.y - window.centre_y) > window.halfHeight_m + past_m) continue;
       if (world.isEnemy(e) && e.state == uint32_t(State::dead)) continue;
       layers[e.type == kTypeBit ? 0 : e.type == kTypeShot ? 1 : world.isAnnounced(e) ? 2 : 3].push_back({e.x, e.y});
     }

@@ -70,7 +70,7 @@ TEST_F(waves, come_at_the_times_of_the_table_with_its_groups) {
 TEST_F(waves, endless_ones_follow_with_growing_points) {
   m.wave = rules.waveCount;
   m.tick = m.waveClock_ticks = rules.endless.from_ticks;
-  double points = rules.endless.points;
+  double points = rules.endless.points * double(rules.endless.growth);  // the rules count waves from 1
   std::set<uint32_t> types;
   std::set<Pattern> patterns;
   for (uint32_t k = 0; k < 24; ++k) {
@@ -80,7 +80,7 @@ TEST_F(waves, endless_ones_follow_with_growing_points) {
       run();
       ASSERT_EQ(s.waveSounds, tick == 0 ? 1u : 0u) << tick;
       if (tick > 0) continue;
-      const uint32_t groups = k % 3 + 1;
+      const uint32_t groups = (k + 1) % 3 + 1;
       ASSERT_EQ(s.commandCount, groups);
       for (uint32_t g = 0; g < groups; ++g) {
         const Command& c = s.commands[g];
