@@ -151,7 +151,8 @@ int main(int argc, char** argv) {
     }
   }
   std::ostringstream table;
-  table << "# Tick\n\n" << machineLine() << "\n\nMedians of " << rounds << " rounds of " << kTicksPerRound
+  table << "# Tick\n\n"
+        << machineLine() << "\n\nMedians of " << rounds << " rounds of " << kTicksPerRound
         << " ticks; `gw_bench_tick`. The tick is the whole game on the cpu device; the 4 m gather is not part of it\n"
            "(kamikazes need no neighbours to think) and is what one pass of every enemy over its vision costs.\n\n"
         << "| scene | enemies | ms per tick | 4 m gather, ms | candidates per enemy |";

@@ -24,13 +24,25 @@ GW_FN float floatOf(uint32_t bits) {
 }
 
 // Ternaries, not fminf and fmaxf: those may pick either zero, and drop NaN differently.
-GW_FN float smaller(float a, float b) { return b < a ? b : a; }
-GW_FN float larger(float a, float b) { return a < b ? b : a; }
-GW_FN float clamp(float value, float low, float high) { return value < low ? low : (high < value ? high : value); }
-GW_FN float magnitude(float value) { return fabsf(value); }  // clears the sign bit: exact everywhere
+GW_FN float smaller(float a, float b) {
+  return b < a ? b : a;
+}
+GW_FN float larger(float a, float b) {
+  return a < b ? b : a;
+}
+GW_FN float clamp(float value, float low, float high) {
+  return value < low ? low : (high < value ? high : value);
+}
+GW_FN float magnitude(float value) {
+  return fabsf(value);
+}  // clears the sign bit: exact everywhere
 
-GW_FN uint32_t smaller(uint32_t a, uint32_t b) { return b < a ? b : a; }
-GW_FN uint32_t larger(uint32_t a, uint32_t b) { return a < b ? b : a; }
+GW_FN uint32_t smaller(uint32_t a, uint32_t b) {
+  return b < a ? b : a;
+}
+GW_FN uint32_t larger(uint32_t a, uint32_t b) {
+  return a < b ? b : a;
+}
 
 // Maps a float that is not NaN to an integer with the same order.
 GW_FN uint32_t orderedBits(float value) {

@@ -33,15 +33,19 @@ GW_FN SineCosine sineCosine(float x) {
   r = r - k * 7.549789948768648e-8f;
   const float z = r * r;
   const float s = ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * r + r;
-  const float c = ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
-                  0.5f * z + 1.0f;
+  const float c =
+      ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z - 0.5f * z + 1.0f;
   const uint32_t turn = uint32_t(quarter) & 3u;
   const float sine = turn & 1u ? c : s, cosine = turn & 1u ? s : c;
   return {turn & 2u ? -sine : sine, turn == 1u || turn == 2u ? -cosine : cosine};
 }
 
-GW_FN float sine(float x) { return sineCosine(x).sine; }
-GW_FN float cosine(float x) { return sineCosine(x).cosine; }
+GW_FN float sine(float x) {
+  return sineCosine(x).sine;
+}
+GW_FN float cosine(float x) {
+  return sineCosine(x).cosine;
+}
 
 // The angle of (x, y) in -pi..pi; 0 for (0, 0) whatever the signs of the zeros.
 GW_FN float arcTangent2(float y, float x) {
@@ -70,13 +74,20 @@ GW_FN float exponential(float x) {
   const float k = float(power);
   float r = limited - k * 0.693359375f;
   r = r + k * 2.12194440e-4f;
-  const float series = (((((1.9875691500e-4f * r + 1.3981999507e-3f) * r + 8.3334519073e-3f) * r +
-                          4.1665795894e-2f) * r + 1.6666665459e-1f) * r + 5.0000001201e-1f) * r * r + r + 1.0f;
+  const float series =
+      (((((1.9875691500e-4f * r + 1.3981999507e-3f) * r + 8.3334519073e-3f) * r + 4.1665795894e-2f) * r +
+        1.6666665459e-1f) *
+           r +
+       5.0000001201e-1f) *
+          r * r +
+      r + 1.0f;
   return series * floatOf(uint32_t(power + 127) << 23);
 }
 
 // The vector's length, and the vector of length one; a zero vector stays zero.
-GW_FN float length(float x, float y) { return sqrtf(x * x + y * y); }
+GW_FN float length(float x, float y) {
+  return sqrtf(x * x + y * y);
+}
 
 GW_FN Float2 normalised(float x, float y) {
   const float l = length(x, y);

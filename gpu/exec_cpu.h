@@ -28,9 +28,12 @@ class Queue {
 // shuffle is a permutation.
 inline uint32_t visit(VisitOrder order, uint32_t i, uint32_t n) {
   switch (order) {
-    case VisitOrder::reversed: return n - 1 - i;
-    case VisitOrder::shuffled: return uint32_t((uint64_t(i) * 4294967291u + 2654435761u) % n);
-    default: return i;
+    case VisitOrder::reversed:
+      return n - 1 - i;
+    case VisitOrder::shuffled:
+      return uint32_t((uint64_t(i) * 4294967291u + 2654435761u) % n);
+    default:
+      return i;
   }
 }
 
@@ -107,8 +110,12 @@ inline void copyBytes(Queue& queue, void* destination, const void* source, size_
   if (bytes) std::memcpy(destination, source, bytes);
 }
 
-inline void* allocateBytes(Queue& queue, size_t bytes) { return queue.memory.allocate(bytes); }
-inline void releaseBytes(Queue& queue, void* pointer) { queue.memory.release(pointer); }
+inline void* allocateBytes(Queue& queue, size_t bytes) {
+  return queue.memory.allocate(bytes);
+}
+inline void releaseBytes(Queue& queue, void* pointer) {
+  queue.memory.release(pointer);
+}
 
 // Order-safe: integers only. They return nothing, so that no result can depend on who came first.
 inline void atomicAddTo(uint32_t& word, uint32_t amount) {

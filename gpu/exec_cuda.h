@@ -106,10 +106,14 @@ inline void* allocateBytes(Queue& queue, size_t bytes) {
   check(cudaMemsetAsync(pointer, 0, bytes ? bytes : 1, queue.stream), "clearing device memory");
   return pointer;
 }
-inline void releaseBytes(Queue&, void* pointer) { cudaFree(pointer); }
+inline void releaseBytes(Queue&, void* pointer) {
+  cudaFree(pointer);
+}
 
 // Order-safe: integers only. They return nothing, so that no result can depend on who came first.
-__device__ inline void atomicAddTo(uint32_t& word, uint32_t amount) { atomicAdd(&word, amount); }
+__device__ inline void atomicAddTo(uint32_t& word, uint32_t amount) {
+  atomicAdd(&word, amount);
+}
 __device__ inline void atomicRaiseTo(uint64_t& word, uint64_t value) {
   atomicMax(reinterpret_cast<unsigned long long*>(&word), static_cast<unsigned long long>(value));
 }

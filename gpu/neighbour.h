@@ -12,6 +12,8 @@ GW_FN bool isNeighbour(float dx, float dy, float radius) {
 }
 
 // A dead cell sits at +infinity.
-GW_FN bool isLiving(float x) { return x < kInfinity; }
+GW_FN bool isLiving(float x) {
+  return x < kInfinity;
+}
 
 }  // namespace gw::GW_DEVICE

@@ -182,7 +182,7 @@ NGrid::NGrid(Queue& queue, NDimensions dimensions)
       scratch_(queue, dimensions.cells()) {}
 
 NGridView NGrid::view(const Cell* d_cells) const {
-  return {d_cells,       dimensions_.columns, dimensions_.rows,  low_.data(),
+  return {d_cells,      dimensions_.columns, dimensions_.rows,  low_.data(),
           high_.data(), living_.data(),      reachHigh_.data(), reachLow_.data()};
 }
 

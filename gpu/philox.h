@@ -20,6 +20,8 @@ GW_FN Uint4 philox(uint64_t key, Uint4 counter) {
 }
 
 // 24 bits to [0, 1): every value is exact.
-GW_FN float unitFloat(uint32_t bits) { return float(bits >> 8) * 5.9604644775390625e-8f; }
+GW_FN float unitFloat(uint32_t bits) {
+  return float(bits >> 8) * 5.9604644775390625e-8f;
+}
 
 }  // namespace gw::GW_DEVICE

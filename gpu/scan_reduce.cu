@@ -111,7 +111,9 @@ struct ScanBlockSums {
 Scan::Scan(Queue& queue, uint32_t count)
     : count_(count), within_(queue, count), beforeBlock_(queue, scanBlocks(count) + 1) {}
 
-ScanView Scan::view() const { return {within_.data(), beforeBlock_.data(), scanBlocks(count_)}; }
+ScanView Scan::view() const {
+  return {within_.data(), beforeBlock_.data(), scanBlocks(count_)};
+}
 
 void Scan::run(Queue& queue, const uint64_t* d_in) {
   const uint32_t blocks = scanBlocks(count_);

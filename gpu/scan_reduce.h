@@ -11,10 +11,12 @@ namespace gw::GW_DEVICE {
 
 inline constexpr uint32_t kScanBlock = 1024;
 
-GW_FN uint32_t scanBlocks(uint32_t count) { return (count + kScanBlock - 1) / kScanBlock; }
+GW_FN uint32_t scanBlocks(uint32_t count) {
+  return (count + kScanBlock - 1) / kScanBlock;
+}
 
 struct ScanView {
-  const uint64_t* within;  // [count] sum of the earlier items of the block
+  const uint64_t* within;        // [count] sum of the earlier items of the block
   const uint64_t* before_block;  // [blocks + 1] sum of the earlier blocks; the last one is the total
   uint32_t blocks;
 

@@ -27,20 +27,26 @@ class TickGraph {
   ~TickGraph() {
     if (graph_) cudaGraphExecDestroy(graph_);
   }
-  TickGraph(TickGraph&& other) noexcept { std::swap(graph_, other.graph_); }
+  TickGraph(TickGraph&& other) noexcept {
+    std::swap(graph_, other.graph_);
+  }
   TickGraph& operator=(TickGraph&& other) noexcept {
     std::swap(graph_, other.graph_);
     return *this;
   }
 
-  void replay(Queue& queue) { check(cudaGraphLaunch(graph_, queue.stream), "launching the tick's graph"); }
+  void replay(Queue& queue) {
+    check(cudaGraphLaunch(graph_, queue.stream), "launching the tick's graph");
+  }
 
  private:
   cudaGraphExec_t graph_ = nullptr;
 #else
   TickGraph(Queue&, std::function<void()> launches) : launches_(std::move(launches)) {}
 
-  void replay(Queue&) { launches_(); }
+  void replay(Queue&) {
+    launches_();
+  }
 
  private:
   std::function<void()> launches_;

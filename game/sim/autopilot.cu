@@ -39,8 +39,8 @@ struct Bot {
       if (isEnemy(now.type) && v.state[cell.id].x == uint32_t(State::dead)) return;
       const Float4 motion = v.velocityPrevious[cell.id];
       const float back = late_ticks * kTick_s;
-      Seen seen{now.x - motion.x * back - ship.x, now.y - motion.y * back - ship.y, motion.x, motion.y, 0.0f, 0.0f,
-                cell.id};
+      Seen seen{
+          now.x - motion.x * back - ship.x, now.y - motion.y * back - ship.y, motion.x, motion.y, 0.0f, 0.0f, cell.id};
       if (magnitude(seen.x) > kView_x_m || magnitude(seen.y) > kView_y_m) return;
       seen.radius = isEnemy(now.type) ? v.tables->rules.enemies[now.type].halfWidth_m : 0.0f;
       seen.distance2 = seen.x * seen.x + seen.y * seen.y;
@@ -48,9 +48,7 @@ struct Bot {
     });
   }
 
-  GW_BODY static int16_t stick(float component) {
-    return int16_t(clamp(component, -1.0f, 1.0f) * float(kStickFull));
-  }
+  GW_BODY static int16_t stick(float component) { return int16_t(clamp(component, -1.0f, 1.0f) * float(kStickFull)); }
 
   GW_BODY static uint16_t turns(float angle_rad) {
     const float share = angle_rad / kTwoPi;
@@ -221,8 +219,7 @@ struct Expert : Bot<Search> {
     for (uint32_t i = 0; i < field.count; ++i) {
       const Seen& body = field.bodies[i];
       const float distance = sqrtf(body.distance2);
-      const float closing =
-          distance > 0.0f ? -(body.x * body.velocity_x + body.y * body.velocity_y) / distance : 0.0f;
+      const float closing = distance > 0.0f ? -(body.x * body.velocity_x + body.y * body.velocity_y) / distance : 0.0f;
       const float contact = (distance - body.radius) / larger(closing + 3.0f, 1.0f);
       if (contact < soonest) {
         soonest = contact;

@@ -19,13 +19,14 @@ GW_FN uint32_t kamikazeConditions(const Self& self, uint32_t flags, const EnemyR
 
 GW_FN Wish wander(const Self& self, const EnemyRules& rules, const Rules::Steering& steering, uint64_t seed,
                   uint32_t tick) {
-  const float drift = (2.0f * unitFloat(philox(seed, {tick, self.id, kPurposeWander, 0}).x) - 1.0f) *
-                      steering.wanderDrift_rad;
+  const float drift =
+      (2.0f * unitFloat(philox(seed, {tick, self.id, kPurposeWander, 0}).x) - 1.0f) * steering.wanderDrift_rad;
   const SineCosine turn = sineCosine(drift);
   const Float2 heading = normalised(self.direction_x * turn.cosine - self.direction_y * turn.sine,
                                     self.direction_x * turn.sine + self.direction_y * turn.cosine);
   const Float2 toShip = normalised(self.ship_x, self.ship_y);
-  const Float2 way = normalised(heading.x + steering.wanderToShip * toShip.x, heading.y + steering.wanderToShip * toShip.y);
+  const Float2 way =
+      normalised(heading.x + steering.wanderToShip * toShip.x, heading.y + steering.wanderToShip * toShip.y);
   const float speed = rules.speed_mps * steering.wanderSpeed;
   return {way.x * speed, way.y * speed, heading.x, heading.y};
 }

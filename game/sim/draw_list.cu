@@ -1,5 +1,4 @@
 #include "game/sim/draw_list.h"
-
 #include "game/sim/entity_flags.h"
 #include "gpu/exact_math.h"
 
@@ -124,9 +123,7 @@ struct WriteSprites {
       // A rectangle is axis-aligned: what is drawn is what hits.
       const bool turns = rules.bounds == Bounds::circle;
       const bool moves = motion.x * motion.x + motion.y * motion.y > 0.01f;
-      out.angle_rad = !turns ? 0.0f
-                      : moves ? arcTangent2(motion.y, motion.x)
-                              : arcTangent2(direction.y, direction.x);
+      out.angle_rad = !turns ? 0.0f : moves ? arcTangent2(motion.y, motion.x) : arcTangent2(direction.y, direction.x);
       out.size_m = rules.halfWidth_m;
       out.shapeFlags = packed(rules.shape, flags, v.forceEnergy[id].w / rules.energy, age);
       out.colour = rules.colour;
@@ -154,7 +151,8 @@ struct WriteSprites {
     out.previous_y = m.ship.previous_y;
     out.angle_rad = m.ship.aim_rad;
     out.size_m = v.tables->rules.ship.radius_m * 1.6f;  // the hull is drawn larger than what can be hit
-    out.shapeFlags = packed(Shape::ship, m.ship.untouchable_ticks > 0 ? uint32_t(kSpriteUntouchable) : 0u, 1.0f, m.tick);
+    out.shapeFlags =
+        packed(Shape::ship, m.ship.untouchable_ticks > 0 ? uint32_t(kSpriteUntouchable) : 0u, 1.0f, m.tick);
     out.colour = 0xE8F6FF;
     return out;
   }

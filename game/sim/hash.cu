@@ -7,8 +7,12 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-GW_FN uint64_t pair(float a, float b) { return uint64_t(bitsOf(a)) << 32 | bitsOf(b); }
-GW_FN uint64_t pair(uint32_t a, uint32_t b) { return uint64_t(a) << 32 | b; }
+GW_FN uint64_t pair(float a, float b) {
+  return uint64_t(bitsOf(a)) << 32 | bitsOf(b);
+}
+GW_FN uint64_t pair(uint32_t a, uint32_t b) {
+  return uint64_t(a) << 32 | b;
+}
 
 // One item: one cell.
 struct HashEntities {
@@ -24,12 +28,10 @@ struct HashEntities {
     const Float4 motion = v.velocityPrevious[id], force = v.nextForceEnergy[id], direction = v.nextDirectionMass[id];
     const Uint4 state = v.state[id];
     const Float2 push = v.push[id];
-    const uint64_t words[] = {pair(cell.type, v.birthTick[id]),  pair(cell.x, cell.y),
-                              pair(motion.x, motion.y),          pair(motion.z, motion.w),
-                              pair(force.x, force.y),            pair(force.w, direction.z),
-                              pair(direction.x, direction.y),    pair(push.x, push.y),
-                              pair(state.x, state.y),            pair(state.z, state.w),
-                              uint64_t(v.target[id])};
+    const uint64_t words[] = {pair(cell.type, v.birthTick[id]), pair(cell.x, cell.y),   pair(motion.x, motion.y),
+                              pair(motion.z, motion.w),         pair(force.x, force.y), pair(force.w, direction.z),
+                              pair(direction.x, direction.y),   pair(push.x, push.y),   pair(state.x, state.y),
+                              pair(state.z, state.w),           uint64_t(v.target[id])};
     uint64_t sum = 0;
     for (uint32_t field = 0; field < sizeof words / sizeof words[0]; ++field) sum += hashWord(id, field, words[field]);
     v.hashes[i] = sum;

@@ -90,6 +90,8 @@ struct Integrate {
 
 }  // namespace
 
-void integrate(Queue& queue, const View& view) { forEach(queue, Count{view.capacity}, Integrate{view}); }
+void integrate(Queue& queue, const View& view) {
+  forEach(queue, Count{view.capacity}, Integrate{view});
+}
 
 }  // namespace gw::GW_DEVICE

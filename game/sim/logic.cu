@@ -7,7 +7,7 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-constexpr float kMuzzle_m = 0.55f;       // from the ship's middle to where shots are born
+constexpr float kMuzzle_m = 0.55f;  // from the ship's middle to where shots are born
 
 struct MasterThread {
   View v;
@@ -150,8 +150,8 @@ struct MasterThread {
     for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) alive += last.occupied[t];
     uint32_t room = v.tables->limits.enemies - smaller(v.tables->limits.enemies, alive);
 
-    const uint32_t next_ticks = m.wave < r.waveCount ? r.waves[m.wave].at_ticks
-                                                     : r.endless.from_ticks + m.endless * r.endless.every_ticks;
+    const uint32_t next_ticks =
+        m.wave < r.waveCount ? r.waves[m.wave].at_ticks : r.endless.from_ticks + m.endless * r.endless.every_ticks;
     // Nobody waits: an empty field brings the next wave early, and pays for the time saved.
     const bool quiet = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming == 0;
     m.idle_ticks = quiet ? m.idle_ticks + 1 : 0;
@@ -198,8 +198,7 @@ struct MasterThread {
     born.pattern = pattern;
     born.x = m.ship.x;
     born.y = m.ship.y;
-    born.angle_rad =
-        unitFloat(philox(m.seed, {m.tick, s.commandCount, kPurposeCommand, 0}).x) * kTwoPi;
+    born.angle_rad = unitFloat(philox(m.seed, {m.tick, s.commandCount, kPurposeCommand, 0}).x) * kTwoPi;
     room -= order(m, s, born, room);
   }
 
@@ -218,6 +217,8 @@ struct MasterThread {
 
 }  // namespace
 
-void logic(Queue& queue, const View& view) { forEach(queue, Count{1}, MasterThread{view}); }
+void logic(Queue& queue, const View& view) {
+  forEach(queue, Count{1}, MasterThread{view});
+}
 
 }  // namespace gw::GW_DEVICE

@@ -3,6 +3,8 @@
 
 namespace gw::GW_DEVICE {
 
-void maintain(Queue& queue, const View& view, NGrid& grid) { grid.maintain(queue, view.cells, view.cellOf); }
+void maintain(Queue& queue, const View& view, NGrid& grid) {
+  grid.maintain(queue, view.cells, view.cellOf);
+}
 
 }  // namespace gw::GW_DEVICE

@@ -15,17 +15,17 @@ inline constexpr uint32_t kBitCapacity = 4096;
 
 // Sums over all entities, made by settle and read by the next tick's logic.
 struct Totals {
-  uint64_t contact = 0;  // of all that touched the ship the largest cost << 32 | ~id; 0: nothing did
-  uint32_t occupied[16] = {};       // cells by type, those dying this tick included
+  uint64_t contact = 0;                     // of all that touched the ship the largest cost << 32 | ~id; 0: nothing did
+  uint32_t occupied[16] = {};               // cells by type, those dying this tick included
   uint32_t kills[kMaxEnemyTypes] = {};      // died for score
   uint32_t bareKills[kMaxEnemyTypes] = {};  // died by the flush, for the bare value
-  uint32_t dying = 0;               // enemies in state dead: they leave in the next tick
+  uint32_t dying = 0;                       // enemies in state dead: they leave in the next tick
   uint32_t bitsTaken = 0;
-  uint32_t inView = 0;              // enemies within Rules::Idle's half extents of the ship
-  uint32_t coming = 0;              // enemies announced or attacking
-  uint32_t transitions = 0;         // state changes
+  uint32_t inView = 0;       // enemies within Rules::Idle's half extents of the ship
+  uint32_t coming = 0;       // enemies announced or attacking
+  uint32_t transitions = 0;  // state changes
   uint32_t refusedBits = 0;
-  uint32_t killSounds[3] = {};      // deaths to the left, in the middle, to the right of the ship
+  uint32_t killSounds[3] = {};  // deaths to the left, in the middle, to the right of the ship
   uint32_t reserved = 0;
 };
 
@@ -49,20 +49,20 @@ struct Master {
   uint32_t frameTime_us = 0;
   uint32_t bank_us = 0;
   uint32_t flushes = 0;
-  uint32_t flushScores = 0;  // thresholds of Rules::Flush passed
+  uint32_t flushScores = 0;                           // thresholds of Rules::Flush passed
   float flush_x = 0, flush_y = 0, flushRadius_m = 0;  // radius 0: none running
-  uint32_t blast = 0;        // 1 in the tick after a contact
-  uint32_t blastId = kNobody;  // who touched
-  uint32_t wave = 0;         // rows of the wave table started
+  uint32_t blast = 0;                                 // 1 in the tick after a contact
+  uint32_t blastId = kNobody;                         // who touched
+  uint32_t wave = 0;                                  // rows of the wave table started
   uint32_t waveClock_ticks = 0;
   uint32_t idle_ticks = 0;
-  uint32_t endless = 0;      // endless waves started
+  uint32_t endless = 0;  // endless waves started
   float endlessPoints = 0;
   uint32_t contacts = 0;
   uint32_t bitsTaken = 0;
   uint32_t refused = 0;
   uint32_t peakEnemies = 0;
-  InputRecord input{};       // of the tick before: a button goes down once, and a bot holds on to what it decided
+  InputRecord input{};  // of the tick before: a button goes down once, and a bot holds on to what it decided
   uint32_t killsByType[kMaxEnemyTypes] = {};
 };
 static_assert(sizeof(Master) % sizeof(uint64_t) == 0);
@@ -72,10 +72,10 @@ struct Command {
   uint32_t type = 0, count = 0;
   uint32_t firstBirth = 0;  // births of earlier commands
   Pattern pattern = Pattern::ring;
-  float x = 0, y = 0;       // the ship, or the muzzle
-  float angle_rad = 0;      // direction of the pattern, of the salvo's middle shot
-  float spread_rad = 0;     // shots only
-  uint32_t hits = 0;        // shots only
+  float x = 0, y = 0;    // the ship, or the muzzle
+  float angle_rad = 0;   // direction of the pattern, of the salvo's middle shot
+  float spread_rad = 0;  // shots only
+  uint32_t hits = 0;     // shots only
 };
 inline constexpr uint32_t kMaxCommands = 64;
 
@@ -84,8 +84,8 @@ struct TickScratch {
   uint32_t sequence = 0;  // ticks launched, those after the end included: which slot of the rings is used
   InputRecord input{};
   uint32_t commandCount = 0;
-  uint32_t births = 0;      // of all commands
-  uint32_t bitRoom = 0;     // bits that still fit
+  uint32_t births = 0;   // of all commands
+  uint32_t bitRoom = 0;  // bits that still fit
   Command commands[kMaxCommands];
   uint32_t shotSounds = 0, waveSounds = 0, flushSounds = 0, overSounds = 0, contactSounds = 0;
   uint32_t contactType = kTypeNone, contactCost_us = 0;
@@ -95,11 +95,11 @@ struct TickScratch {
 
 // Numbers that follow from the rules and the options, computed once on the host.
 struct Limits {
-  float width_m, height_m;     // the world, scaled to the number of enemies
-  float largestReach_m;        // farthest corner of any enemy from its middle
-  float fastestEnemy_mps;      // integrate never moves an enemy faster
-  uint32_t enemies;            // how many fit
-  uint32_t capacity;           // ids, and cells
+  float width_m, height_m;  // the world, scaled to the number of enemies
+  float largestReach_m;     // farthest corner of any enemy from its middle
+  float fastestEnemy_mps;   // integrate never moves an enemy faster
+  uint32_t enemies;         // how many fit
+  uint32_t capacity;        // ids, and cells
 };
 
 }  // namespace gw

@@ -26,7 +26,8 @@ GW_FN Float2 overlap(const EnemyRules& a, const EnemyRules& b, float dx, float d
     const EnemyRules& ball = boxIsA ? b : a;
     const float x = boxIsA ? -dx : dx, y = boxIsA ? -dy : dy;  // from the box to the ball
     const float turned = boxIsA ? -1.0f : 1.0f;
-    const float near_x = clamp(x, -box.halfWidth_m, box.halfWidth_m), near_y = clamp(y, -box.halfHeight_m, box.halfHeight_m);
+    const float near_x = clamp(x, -box.halfWidth_m, box.halfWidth_m),
+                near_y = clamp(y, -box.halfHeight_m, box.halfHeight_m);
     const float out_x = x - near_x, out_y = y - near_y, distance = length(out_x, out_y);
     if (distance > 0.0f) {
       const float deep = ball.halfWidth_m - distance;

@@ -12,7 +12,7 @@ inline constexpr float kTick_s = 1.0f / 60.0f;
 inline constexpr uint32_t kMaxEnemyTypes = 8;
 inline constexpr uint32_t kMaxShotLevels = 8;
 inline constexpr uint32_t kMaxWaves = 64;
-inline constexpr uint32_t kMaxGroups = 4;      // groups per wave
+inline constexpr uint32_t kMaxGroups = 4;  // groups per wave
 inline constexpr uint32_t kMaxFlushScores = 16;
 inline constexpr uint32_t kMaxNameLength = 15;
 
@@ -70,24 +70,24 @@ struct Wave {
 
 struct Rules {
   struct World {
-    float width_m, height_m;    // for at most 8,192 enemies; scaled by sqrt(enemies / 8192) above
-    float spawnClearance_m;     // no enemy appears nearer to the ship
-    uint32_t announced_ticks;   // harmless and untouchable after birth
+    float width_m, height_m;   // for at most 8,192 enemies; scaled by sqrt(enemies / 8192) above
+    float spawnClearance_m;    // no enemy appears nearer to the ship
+    uint32_t announced_ticks;  // harmless and untouchable after birth
   } world;
 
   struct Ship {
     float radius_m, speed_mps;
     float response;  // share of the gap to the stick's velocity closed per tick, 0..1
     uint32_t untouchable_ticks;
-    float blast_m;      // after contact everything weak this near dies without score
-    float weakEnergy;   // full energy at most this is weak
+    float blast_m;     // after contact everything weak this near dies without score
+    float weakEnergy;  // full energy at most this is weak
   } ship;
 
   struct Budget {
-    uint32_t start_us, limit_us;  // 60 FPS and 12 FPS
-    uint32_t bitReturns_us;       // a bit gives this back...
+    uint32_t start_us, limit_us;       // 60 FPS and 12 FPS
+    uint32_t bitReturns_us;            // a bit gives this back...
     uint32_t bankFill_us, bankMax_us;  // ...out of a bank that fills this much per tick, up to bankMax_us
-    uint32_t hitStop_ms;          // host pacing only
+    uint32_t hitStop_ms;               // host pacing only
   } budget;
 
   struct Shot {
@@ -113,13 +113,13 @@ struct Rules {
   } flush;
 
   struct Steering {
-    float response;        // share of the gap to the wished velocity closed per tick
-    float wanderSpeed;     // share of the type's speed
+    float response;         // share of the gap to the wished velocity closed per tick
+    float wanderSpeed;      // share of the type's speed
     float wanderDrift_rad;  // most the heading drifts per tick
-    float wanderToShip;    // weight of the ship's direction while wandering
-    float damagedSpeed;    // a damaged kamikaze is this much faster
-    float separation_mps;  // most that overlapping bodies are pushed
-    float sightLost;       // sight is lost at this multiple of it
+    float wanderToShip;     // weight of the ship's direction while wandering
+    float damagedSpeed;     // a damaged kamikaze is this much faster
+    float separation_mps;   // most that overlapping bodies are pushed
+    float sightLost;        // sight is lost at this multiple of it
   } steering;
 
   struct Endless {
@@ -130,10 +130,10 @@ struct Rules {
   } endless;
 
   struct Idle {
-    uint32_t fewerThan;      // enemies within the half extents below
+    uint32_t fewerThan;  // enemies within the half extents below
     float halfWidth_m, halfHeight_m;
-    uint32_t wait_ticks;     // the next wave then starts this soon
-    uint32_t pays;           // times the multiplier, per second saved
+    uint32_t wait_ticks;  // the next wave then starts this soon
+    uint32_t pays;        // times the multiplier, per second saved
   } idle;
 
   uint32_t enemyTypeCount;

@@ -13,7 +13,9 @@ constexpr float kMiddlePan_m = 6.0f;  // nearer than this to the ship's column s
 // Totals after `contact`, as words: each team sums in shared memory and adds what is not zero.
 constexpr uint32_t kFirstWord = offsetof(Totals, occupied) / 4, kWords = sizeof(Totals) / 4 - kFirstWord;
 
-GW_FN constexpr uint32_t wordOf(size_t offset) { return uint32_t(offset / 4) - kFirstWord; }
+GW_FN constexpr uint32_t wordOf(size_t offset) {
+  return uint32_t(offset / 4) - kFirstWord;
+}
 
 // One team: a run of cells.
 struct SumUp {

@@ -18,8 +18,6 @@ enum class Mode : uint32_t { arcade, deadline, swarm, practice };
 enum class BroadPhase : uint32_t { ngrid, bruteForce };
 enum class Autopilot : uint32_t { none, novice, expert };
 
-
-
 struct SimulationConfig {
   Rules rules{};
   uint64_t seed = 1;
@@ -31,8 +29,8 @@ struct SimulationConfig {
   BroadPhase broadPhase = BroadPhase::ngrid;
   uint32_t threads = 0;  // cpu device: 0 takes what the machine has
   VisitOrder order = VisitOrder::forward;
-  bool protectMemory = false;   // cpu device: device memory is unreadable outside launches and copies
-  uint32_t blockSize = 128;     // cuda device
+  bool protectMemory = false;  // cpu device: device memory is unreadable outside launches and copies
+  uint32_t blockSize = 128;    // cuda device
 };
 
 // Sound events of one tick, counted by kind and by side (left, middle, right of the ship).
@@ -41,9 +39,9 @@ inline constexpr uint32_t kPans = 3;
 
 // What one tick tells the host; everything else stays on the device.
 struct TickReport {
-  uint32_t tick = 0;  // ticks completed, counting from 1
-  uint32_t over = 0;  // 1 from the tick in which the frame time passed the limit
-  uint64_t hash = 0;  // of the whole simulated state after this tick
+  uint32_t tick = 0;    // ticks completed, counting from 1
+  uint32_t over = 0;    // 1 from the tick in which the frame time passed the limit
+  uint64_t hash = 0;    // of the whole simulated state after this tick
   InputRecord input{};  // as used: the autopilot's own when one is on
   float ship_x = 0, ship_y = 0, shipPrevious_x = 0, shipPrevious_y = 0;
   float aim_rad = 0;
@@ -55,17 +53,17 @@ struct TickReport {
   uint32_t flushes = 0;
   float flush_x = 0, flush_y = 0, flushRadius_m = 0;  // radius 0: none running
   uint32_t untouchable_ticks = 0;
-  uint32_t wave = 0;           // waves started
+  uint32_t wave = 0;                          // waves started
   uint32_t enemies = 0, shots = 0, bits = 0;  // alive
-  uint32_t enemiesInView = 0;  // within Rules::Idle's half extents of the ship
+  uint32_t enemiesInView = 0;                 // within Rules::Idle's half extents of the ship
   uint32_t peakEnemies = 0;
-  uint32_t refused = 0;        // births that did not fit, over the whole run
-  uint32_t bitsTaken = 0;      // over the whole run
-  uint32_t contacts = 0;       // over the whole run
+  uint32_t refused = 0;              // births that did not fit, over the whole run
+  uint32_t bitsTaken = 0;            // over the whole run
+  uint32_t contacts = 0;             // over the whole run
   uint32_t contactType = kTypeNone;  // what touched the ship this tick, or kTypeNone
   uint32_t contactCost_us = 0;
-  uint32_t killsByType[kMaxEnemyTypes] = {};      // over the whole run
-  uint32_t transitions = 0;    // state changes this tick
+  uint32_t killsByType[kMaxEnemyTypes] = {};  // over the whole run
+  uint32_t transitions = 0;                   // state changes this tick
   uint16_t sounds[uint32_t(SoundEvent::count)][kPans] = {};
 };
 
@@ -83,8 +81,8 @@ static_assert(sizeof(EntityRecord) == 88);
 
 // The whole simulated state in canonical form: equal states give equal bytes on every device.
 struct Snapshot {
-  std::vector<uint8_t> master;           // the master thread's globals
-  std::vector<EntityRecord> entities;    // live ones, by ascending id
+  std::vector<uint8_t> master;         // the master thread's globals
+  std::vector<EntityRecord> entities;  // live ones, by ascending id
 };
 
 // Which part of the world the draw list covers.

@@ -21,8 +21,7 @@ class DeviceSimulation final : public Simulation {
         drawList_(queue_, state_.limits().capacity),
         candidates_(queue_, state_.limits().capacity) {
     for (uint32_t parity = 0; parity < 2; ++parity) {
-      graphs_[parity] = TickGraph(
-          queue_, [this, parity] { step(queue_, state_, parity, config_.autopilot, timer_); });
+      graphs_[parity] = TickGraph(queue_, [this, parity] { step(queue_, state_, parity, config_.autopilot, timer_); });
     }
   }
 
@@ -74,18 +73,24 @@ class DeviceSimulation final : public Simulation {
   float worldHeight_m() const override { return state_.limits().height_m; }
 
 #if GW_ON_CUDA
-  std::string deviceName() const override { return "cuda"; }
+  std::string deviceName() const override {
+    return "cuda";
+  }
   void park() override {}
 #else
   std::string deviceName() const override {
     return "cpu, " + std::to_string(queue_.pool.threads()) + (queue_.pool.threads() == 1 ? " thread" : " threads");
   }
-  void park() override { queue_.pool.park(); }
+  void park() override {
+    queue_.pool.park();
+  }
 #endif
 
  private:
   // What the next tick will see: its cells are where the last tick ended.
-  View next() const { return state_.view(launched_ % 2); }
+  View next() const {
+    return state_.view(launched_ % 2);
+  }
 
   SimulationConfig config_;
   Queue queue_;

@@ -1,8 +1,8 @@
-#include "game/sim/snapshot.h"
-
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+
+#include "game/sim/snapshot.h"
 
 namespace gw::GW_DEVICE {
 namespace {
@@ -35,11 +35,13 @@ void checkSnapshot(const Snapshot& snapshot, const Tables& tables) {
   for (size_t i = 0; i < snapshot.entities.size(); ++i) {
     const EntityRecord& e = snapshot.entities[i];
     if (e.id >= capacity || (i > 0 && e.id <= snapshot.entities[i - 1].id)) {
-      throw std::invalid_argument("The snapshot's entities do not fit; restore it with the capacity it was taken with.");
+      throw std::invalid_argument(
+          "The snapshot's entities do not fit; restore it with the capacity it was taken with.");
     }
     const bool enemy = isEnemy(e.type);
     if (e.type >= kTypeCount || (enemy && e.type >= tables.rules.enemyTypeCount)) {
-      throw std::invalid_argument("The snapshot holds an entity of no known type; restore it with the rules it was taken with.");
+      throw std::invalid_argument(
+          "The snapshot holds an entity of no known type; restore it with the rules it was taken with.");
     }
     if (enemy && e.state >= uint32_t(State::count)) {
       throw std::invalid_argument("The snapshot holds an enemy in no known state; take a new one.");
@@ -70,10 +72,11 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
   for (uint32_t id = 0; id < next.capacity; ++id) {
     const Cell& cell = cells[cellOf[id]];
     if (cell.type == kTypeNone) continue;
-    snapshot.entities.push_back({id, cell.type, cell.x, cell.y, motion[id].z, motion[id].w, motion[id].x, motion[id].y,
-                                 force[id].x, force[id].y, force[id].w, direction[id].z, direction[id].x,
-                                 direction[id].y, push[id].x, push[id].y, machine[id].x, machine[id].y, machine[id].z,
-                                 machine[id].w, birth[id], target[id]});
+    snapshot.entities.push_back({id,           cell.type,       cell.x,          cell.y,          motion[id].z,
+                                 motion[id].w, motion[id].x,    motion[id].y,    force[id].x,     force[id].y,
+                                 force[id].w,  direction[id].z, direction[id].x, direction[id].y, push[id].x,
+                                 push[id].y,   machine[id].x,   machine[id].y,   machine[id].z,   machine[id].w,
+                                 birth[id],    target[id]});
   }
   return snapshot;
 }

@@ -106,8 +106,8 @@ struct FillIds {
     const SineCosine aim = sineCosine(c.angle_rad + middle * c.spread_rad);
     const float abreast = c.spread_rad > 0.0f ? 0.0f : middle * kAbreast_m;
     const Float2 place = {c.x - aim.sine * abreast, c.y + aim.cosine * abreast};
-    bear(id, cell, kTypeShot, place, {aim.cosine * shot.speed_mps, aim.sine * shot.speed_mps},
-         {aim.cosine, aim.sine}, shot.damage, 0.0f, {0, shot.life_ticks, c.hits, kNobody});
+    bear(id, cell, kTypeShot, place, {aim.cosine * shot.speed_mps, aim.sine * shot.speed_mps}, {aim.cosine, aim.sine},
+         shot.damage, 0.0f, {0, shot.life_ticks, c.hits, kNobody});
   }
 
   GW_BODY void bearEnemy(uint32_t id, uint32_t cell, const Command& c, uint32_t command, uint32_t k) const {
@@ -125,8 +125,8 @@ struct FillIds {
     const Uint4 dice = philox(m.seed, {m.tick, k, kPurposeScatter, 0});
     const SineCosine way = sineCosine(unitFloat(dice.x) * kTwoPi);
     const float speed = 2.0f + 4.0f * unitFloat(dice.y);
-    bear(id, cell, kTypeBit, {parent.z, parent.w}, {way.cosine * speed, way.sine * speed}, {way.cosine, way.sine},
-         1.0f, 0.0f, {0, v.tables->rules.bit.life_ticks, 0, 0});
+    bear(id, cell, kTypeBit, {parent.z, parent.w}, {way.cosine * speed, way.sine * speed}, {way.cosine, way.sine}, 1.0f,
+         0.0f, {0, v.tables->rules.bit.life_ticks, 0, 0});
   }
 };
 

@@ -64,7 +64,8 @@ GW_FN Float2 patternPlace(const Command& c, uint32_t k, float u, float w, const 
       const float offset = (t - 0.5f) * 64.0f, distance = 24.0f + 10.0f * u;
       return {c.x + along.cosine * distance - along.sine * offset, c.y + along.sine * distance + along.cosine * offset};
     }
-    case Pattern::rain: return {u * limits.width_m, w * limits.height_m};
+    case Pattern::rain:
+      return {u * limits.width_m, w * limits.height_m};
     default: {  // river: a band 24 m wide across the whole world, beside the ship
       const float offset = (along.sine < 0.0f ? -28.0f : 28.0f) + (w - 0.5f) * 24.0f;
       if (along.cosine * along.cosine < 0.5f) return {c.x + offset, u * limits.height_m};

@@ -1,7 +1,7 @@
-#include "game/sim/state.h"
-
 #include <cmath>
 #include <cstring>
+
+#include "game/sim/state.h"
 
 namespace gw::GW_DEVICE {
 namespace {

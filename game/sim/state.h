@@ -27,33 +27,33 @@ struct View {
   const Tables* tables;
   Master* master;
   TickScratch* scratch;
-  InputRecord* inputs;   // ring of kTicksInFlight, by tick
-  TickReport* reports;   // ring of kTicksInFlight, by tick
+  InputRecord* inputs;  // ring of kTicksInFlight, by tick
+  TickReport* reports;  // ring of kTicksInFlight, by tick
 
   Cell *cells, *moved;
-  uint32_t* cellOf;  // [id]
-  NGridView grid;    // over cells
+  uint32_t* cellOf;    // [id]
+  NGridView grid;      // over cells
   NGridView seenGrid;  // over moved, before integrate overwrites it: last tick's start, what the bots see
 
   // By id. Enemies, shots and bits use them as noted.
   Float4 *forceEnergy, *nextForceEnergy;      // force x, y (N); 0; energy (a shot's damage)
   Float4 *directionMass, *nextDirectionMass;  // unit vector; mass; 0
   Float4* velocityPrevious;                   // velocity (m/s), place one tick ago (m)
-  Uint4* state;       // State; life left (shots, bits); hits left (shots); EnemyFlag, or a shot's victim before last
-  Float2* push;       // velocity that contact response adds in the next tick (m/s)
+  Uint4* state;  // State; life left (shots, bits); hits left (shots); EnemyFlag, or a shot's victim before last
+  Float2* push;  // velocity that contact response adds in the next tick (m/s)
   uint32_t* birthTick;
-  uint32_t* target;   // a shot's last victim, or kNobody
+  uint32_t* target;  // a shot's last victim, or kNobody
 
   // By id, within one tick.
-  uint64_t* births;     // free ids (low half), own births (high half)
+  uint64_t* births;  // free ids (low half), own births (high half)
   ScanView birthScan;
-  uint32_t* choice;     // the victim a shot picked, or kNobody
-  float* choiceTime;    // when in the tick it meets it, 0..1
-  uint32_t* chosenBy;   // how many shots picked this victim
-  uint32_t* spent;      // 1: the shot's hit was taken
-  uint32_t* event;      // EntityEvent bits
-  uint64_t* pushSum;    // [2 * id], [2 * id + 1]: x and y of the push, in fixed point, as two's complement
-  uint64_t* hashes;     // by cell
+  uint32_t* choice;    // the victim a shot picked, or kNobody
+  float* choiceTime;   // when in the tick it meets it, 0..1
+  uint32_t* chosenBy;  // how many shots picked this victim
+  uint32_t* spent;     // 1: the shot's hit was taken
+  uint32_t* event;     // EntityEvent bits
+  uint64_t* pushSum;   // [2 * id], [2 * id + 1]: x and y of the push, in fixed point, as two's complement
+  uint64_t* hashes;    // by cell
 
   uint32_t capacity;
   BroadPhase broadPhase;
@@ -61,11 +61,11 @@ struct View {
 
 // Purposes of random numbers: the third word of a counter. Never reuse or renumber.
 enum Purpose : uint32_t {
-  kPurposePlace = 1,   // (tick, command, ., birth) where an enemy appears
-  kPurposeCommand = 2,  // (tick, command) direction of a pattern
-  kPurposeWander = 3,  // (tick, id) drift of the heading
-  kPurposeScatter = 4,  // (tick, id) how bits fly apart
-  kPurposeEndless = 5,  // (tick, group) type and pattern of endless waves
+  kPurposePlace = 1,      // (tick, command, ., birth) where an enemy appears
+  kPurposeCommand = 2,    // (tick, command) direction of a pattern
+  kPurposeWander = 3,     // (tick, id) drift of the heading
+  kPurposeScatter = 4,    // (tick, id) how bits fly apart
+  kPurposeEndless = 5,    // (tick, group) type and pattern of endless waves
   kPurposeAutopilot = 6,  // (tick) aiming error
 };
 
@@ -79,7 +79,9 @@ void withSearch(const View& view, const Launch& launch) {
   }
 }
 
-GW_FN bool isEnemy(uint32_t type) { return type < kMaxEnemyTypes; }
+GW_FN bool isEnemy(uint32_t type) {
+  return type < kMaxEnemyTypes;
+}
 
 // Distances of an enemy's type from its middle.
 GW_FN float reachOf(const EnemyRules& rules) {

@@ -19,7 +19,9 @@ enum Condition : uint32_t {
 };
 inline constexpr uint32_t kConditionCount = 4;
 
-constexpr uint32_t in(State state) { return 1u << uint32_t(state); }
+constexpr uint32_t in(State state) {
+  return 1u << uint32_t(state);
+}
 
 struct Transition {
   uint32_t from;   // bits of the states it leaves: in(State) | ...

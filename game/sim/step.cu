@@ -1,6 +1,5 @@
-#include "game/sim/step.h"
-
 #include "game/sim/stages.h"
+#include "game/sim/step.h"
 
 namespace gw::GW_DEVICE {
 

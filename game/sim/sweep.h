@@ -2,10 +2,10 @@
 // body's middle, so a moving body is a still one seen from itself.
 #pragma once
 
+#include <cmath>
+
 #include "game/sim/rules.h"
 #include "gpu/bits.h"
-
-#include <cmath>
 
 namespace gw::GW_DEVICE {
 

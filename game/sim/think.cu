@@ -37,8 +37,9 @@ struct Think {
     const Float4 force = v.forceEnergy[cell.id], direction = v.directionMass[cell.id];
     const Float4 motion = v.velocityPrevious[cell.id];
     Uint4 state = v.state[cell.id];
-    Self self{cell.id,     cell.type,   cell.x, cell.y,      motion.x,          motion.y,          direction.x,
-              direction.y, force.w, direction.z, m.ship.x - cell.x, m.ship.y - cell.y, 0.0f};
+    Self self{cell.id,           cell.type,         cell.x,      cell.y,  motion.x,
+              motion.y,          direction.x,       direction.y, force.w, direction.z,
+              m.ship.x - cell.x, m.ship.y - cell.y, 0.0f};
     self.shipDistance_m = length(self.ship_x, self.ship_y);
 
     const State before = State(state.x);
@@ -77,6 +78,8 @@ struct Think {
 
 }  // namespace
 
-void think(Queue& queue, const View& view) { forEach(queue, Count{view.capacity}, Think{view}); }
+void think(Queue& queue, const View& view) {
+  forEach(queue, Count{view.capacity}, Think{view});
+}
 
 }  // namespace gw::GW_DEVICE
