@@ -9,8 +9,16 @@ namespace gw {
 enum InputButton : uint16_t {
   kButtonFire = 1u << 0,
   kButtonFlush = 1u << 1,
+  // Practice only; other modes ignore them. The press of kButtonSpawn asks for kPracticeCounts[number] of a
+  // type, both of which stand in the same record; the press of kButtonClear ends all that live.
+  kButtonSpawn = 1u << 2,
+  kButtonClear = 1u << 3,
 };
-inline constexpr uint16_t kButtonsKnown = kButtonFire | kButtonFlush;
+inline constexpr uint32_t kSpawnTypeShift = 4, kSpawnTypeMask = 7;     // an index into the enemy table
+inline constexpr uint32_t kSpawnCountShift = 8, kSpawnCountMask = 15;  // an index into kPracticeCounts
+inline constexpr uint32_t kPracticeCounts[] = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000};
+inline constexpr uint16_t kButtonsKnown = kButtonFire | kButtonFlush | kButtonSpawn | kButtonClear |
+                                          kSpawnTypeMask << kSpawnTypeShift | kSpawnCountMask << kSpawnCountShift;
 inline constexpr int16_t kStickFull = 32767;  // a stick component of 1.0; -32768 is never sent
 
 struct InputRecord {

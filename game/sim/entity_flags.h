@@ -12,9 +12,10 @@ enum EnemyFlag : uint32_t {
 };
 
 enum EntityEvent : uint32_t {
-  kEventTransition = 1u << 0,
+  kEventTransition = 1u << 0,  // from the state that stands kEventFromShift bits higher
   kEventDied = 1u << 1,
   kEventTaken = 1u << 2,  // a bit that the ship collected
 };
+inline constexpr uint32_t kEventFromShift = 8;
 
 }  // namespace gw

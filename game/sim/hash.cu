@@ -1,5 +1,6 @@
 // Hash: every simulated field of every living entity and of the master, summed so that neither the NGrid's
 // arrangement nor the order of visits is felt; then the report, which is all the host gets to see.
+#include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
 #include "gpu/bits.h"
 #include "gpu/state_hash.h"
@@ -47,7 +48,8 @@ struct Report {
     TickScratch& s = *v.scratch;
     TickReport report;
     report.tick = m.tick;
-    report.over = m.over;
+    report.over = m.over != 0;
+    report.ending = Ending(m.over);
     report.hash = s.entityHash + masterHash(m);
     report.input = s.input;
     report.ship_x = m.ship.x;
@@ -65,6 +67,7 @@ struct Report {
     report.flush_y = m.flush_y;
     report.flushRadius_m = m.flushRadius_m;
     report.untouchable_ticks = m.ship.untouchable_ticks;
+    report.clock_ticks = m.clock_ticks;
     report.wave = m.wave + m.endless;
     for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) {
       report.enemies += m.totals.occupied[t];
@@ -82,8 +85,9 @@ struct Report {
     report.contactCost_us = s.contactCost_us;
     // Once the game is over the totals stand still: they were reported when they were new.
     const Totals fresh = m.over ? Totals{} : m.totals;
-    report.transitions = fresh.transitions;
+    report.edges = s.tally.edges;
     sounds(report, fresh, s);
+    pops(report, m, s);
     v.reports[s.sequence % Simulation::kTicksInFlight] = report;
     ++s.sequence;
   }
@@ -107,7 +111,23 @@ struct Report {
     put(SoundEvent::wave, kMiddle, s.waveSounds);
     put(SoundEvent::flush, kMiddle, s.flushSounds);
     put(SoundEvent::over, kMiddle, s.overSounds);
-    for (uint32_t pan = 0; pan < kPans; ++pan) put(SoundEvent::kill, pan, totals.killSounds[pan]);
+    for (uint32_t type = 0; type < kMaxEnemyTypes; ++type) {
+      for (uint32_t pan = 0; pan < kPans; ++pan) {
+        report.killSounds[type][pan] = uint16_t(smaller(s.tally.killSounds[type][pan], 65535u));
+      }
+    }
+  }
+
+  GW_BODY void pops(TickReport& report, const Master& m, const TickScratch& s) const {
+    for (uint32_t side = 0; side < kPans; ++side) {
+      if (s.pops[side] == 0) continue;
+      const uint32_t id = ~uint32_t(s.pops[side]);
+      const Cell cell = v.moved[v.cellOf[id]];
+      const uint64_t value = s.pops[side] >> 32;
+      const bool bare = (v.state[id].w & kFlagFlushed) != 0;
+      const uint64_t points = bare ? value : value * m.multiplierTenths / 10;
+      report.pops[side] = {cell.x, cell.y, uint32_t(points < 0xFFFFFFFFull ? points : 0xFFFFFFFFull)};
+    }
   }
 };
 

@@ -20,6 +20,8 @@ struct MasterThread {
     s.shotSounds = s.waveSounds = s.flushSounds = s.overSounds = s.contactSounds = 0;
     s.contactType = kTypeNone;
     s.contactCost_us = 0;
+    s.tally = Tally{};
+    for (uint64_t& pop : s.pops) pop = 0;
     s.longestStep2 = 0;
     if (m.over) return;
 
@@ -28,7 +30,7 @@ struct MasterThread {
     count(m, r, last);
     suffer(m, s, r, last);
     if (m.frameTime_us > r.budget.limit_us) {
-      m.over = 1;
+      m.over = uint32_t(Ending::frameRate);
       m.totals.contact = 0;
       s.overSounds = 1;
       return;

@@ -6,6 +6,7 @@
 
 #include "game/input/input_record.h"
 #include "game/sim/rules.h"
+#include "game/sim/state_tables.h"
 
 namespace gw {
 
@@ -21,12 +22,16 @@ struct Totals {
   uint32_t bareKills[kMaxEnemyTypes] = {};  // died by the flush, for the bare value
   uint32_t dying = 0;                       // enemies in state dead: they leave in the next tick
   uint32_t bitsTaken = 0;
-  uint32_t inView = 0;       // enemies within Rules::Idle's half extents of the ship
-  uint32_t coming = 0;       // enemies announced or attacking
-  uint32_t transitions = 0;  // state changes
+  uint32_t inView = 0;  // enemies within Rules::Idle's half extents of the ship
+  uint32_t coming = 0;  // enemies announced or attacking
   uint32_t refusedBits = 0;
-  uint32_t killSounds[3] = {};  // deaths to the left, in the middle, to the right of the ship
   uint32_t reserved = 0;
+};
+
+// Counts over all entities that only the report tells: nothing of the game follows from them.
+struct Tally {
+  uint32_t killSounds[kMaxEnemyTypes][3] = {};  // deaths to the left, in the middle, to the right of the ship
+  Edges edges;
 };
 
 struct Ship {
@@ -44,7 +49,7 @@ struct Master {
   Totals totals;
   Ship ship;
   uint32_t tick = 0;  // ticks completed
-  uint32_t over = 0;
+  uint32_t over = 0;  // an Ending
   uint32_t multiplierTenths = 10;
   uint32_t frameTime_us = 0;
   uint32_t bank_us = 0;
@@ -56,7 +61,9 @@ struct Master {
   uint32_t wave = 0;                                  // rows of the wave table started
   uint32_t waveClock_ticks = 0;
   uint32_t idle_ticks = 0;
-  uint32_t endless = 0;  // endless waves started
+  uint32_t endless = 0;      // endless waves started
+  uint32_t clock_ticks = 0;  // left; deadline only
+  uint32_t allAttack = 0;    // swarm: few are left, and all see the ship
   float endlessPoints = 0;
   uint32_t contacts = 0;
   uint32_t bitsTaken = 0;
@@ -90,6 +97,9 @@ struct TickScratch {
   uint32_t shotSounds = 0, waveSounds = 0, flushSounds = 0, overSounds = 0, contactSounds = 0;
   uint32_t contactType = kTypeNone, contactCost_us = 0;
   uint64_t entityHash = 0;
+  // Made by settle, for the report only.
+  uint64_t pops[3] = {};  // by side, of all scored kills the largest value << 32 | ~id; 0: none
+  Tally tally;
   uint64_t longestStep2 = 0;  // bits of the largest squared step of an enemy (m^2), made by integrate
 };
 

@@ -41,9 +41,10 @@ struct EnemyRules {
   float vision_m;  // the NGrid radius
   float energy;
   float mass;
-  uint32_t contact_us;  // frame time that touching the ship costs
-  uint32_t value;       // score before the multiplier
-  uint32_t bits;        // born at its death
+  uint32_t contact_us;           // frame time that touching the ship costs
+  uint32_t value;                // score before the multiplier
+  uint32_t bits;                 // born at its death
+  uint32_t avoidCooldown_ticks;  // group and tricky: between two dodges; 0 for kamikazes
   Shape shape;
   uint32_t colour;
 };
@@ -120,6 +121,23 @@ struct Rules {
     float damagedSpeed;     // a damaged kamikaze is this much faster
     float separation_mps;   // most that overlapping bodies are pushed
     float sightLost;        // sight is lost at this multiple of it
+
+    // Group and tricky. Weights are those of unit vectors, the way ahead having weight 1.
+    float cohesion, alignment;  // grouping: towards the middle of its own type, along their heading
+    float attackAlignment;      // group, attacking
+    float sideways;             // tricky, attacking: across the line to the ship...
+    float sidewaysBeyond_m;     // ...while farther than this from it
+
+    // Avoiding a shot that is at most `threat_m` away and would pass within its radius + `threatMargin_m`.
+    float threat_m, threatMargin_m;
+    float avoid_mps, avoidResponse;
+    uint32_t avoid_ticks;
+
+    // Tricky, escaping: from under `escapeBelow` of its energy until `recoveredAt` of it.
+    float escapeBelow, recoveredAt;
+    float recover_per_s;  // energy
+    float escapeSpeed;    // share of the type's speed
+    float escapeWall_m;   // nearer to a wall than this it flies along it
   } steering;
 
   struct Endless {
@@ -135,6 +153,18 @@ struct Rules {
     uint32_t wait_ticks;  // the next wave then starts this soon
     uint32_t pays;        // times the multiplier, per second saved
   } idle;
+
+  struct Deadline {
+    uint32_t clock_ticks;
+    uint32_t waveRate;             // the timetable runs so many times as fast
+    uint32_t contactTicks_per_ms;  // of the clock, per ms that a contact would have cost
+  } deadline;
+
+  struct Swarm {
+    float clearance_m;  // of the ship, for all at once
+    uint32_t multiplierTenths;
+    float attackShare;  // with at most this share left, all attack
+  } swarm;
 
   uint32_t enemyTypeCount;
   EnemyRules enemies[kMaxEnemyTypes];

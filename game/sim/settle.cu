@@ -12,23 +12,28 @@ constexpr float kMiddlePan_m = 6.0f;  // nearer than this to the ship's column s
 
 // Totals after `contact`, as words: each team sums in shared memory and adds what is not zero.
 constexpr uint32_t kFirstWord = offsetof(Totals, occupied) / 4, kWords = sizeof(Totals) / 4 - kFirstWord;
+constexpr uint32_t kTallyWords = sizeof(Tally) / 4;
 
 GW_FN constexpr uint32_t wordOf(size_t offset) {
   return uint32_t(offset / 4) - kFirstWord;
+}
+// The tally's words follow the totals'.
+GW_FN constexpr uint32_t tallyWordOf(size_t offset) {
+  return kWords + uint32_t(offset / 4);
 }
 
 // One team: a run of cells.
 struct SumUp {
   static constexpr uint32_t kLanes = 128;
   struct Shared {
-    uint32_t words[kWords];
+    uint32_t words[kWords + kTallyWords];
   };
   View v;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
     team.phase([&](uint32_t lane) {
-      for (uint32_t w = lane; w < kWords; w += kLanes) s.words[w] = 0;
+      for (uint32_t w = lane; w < kWords + kTallyWords; w += kLanes) s.words[w] = 0;
     });
     const bool over = v.master->over != 0;  // nothing changes after the end, the totals neither
     team.phase([&](uint32_t lane) {
@@ -39,8 +44,9 @@ struct SumUp {
     });
     team.phase([&](uint32_t lane) {
       uint32_t* totals = reinterpret_cast<uint32_t*>(&v.master->totals) + kFirstWord;
-      for (uint32_t w = lane; w < kWords; w += kLanes) {
-        if (s.words[w]) atomicAddTo(totals[w], s.words[w]);
+      uint32_t* tally = reinterpret_cast<uint32_t*>(&v.scratch->tally);
+      for (uint32_t w = lane; w < kWords + kTallyWords; w += kLanes) {
+        if (s.words[w]) atomicAddTo(w < kWords ? totals[w] : tally[w - kWords], s.words[w]);
       }
     });
   }
@@ -68,12 +74,17 @@ struct SumUp {
     const uint32_t event = v.event[cell.id];
     const Uint4 state = v.state[cell.id];
     const float dx = cell.x - ship.x, dy = cell.y - ship.y;
-    if (event & kEventTransition) bump(s, wordOf(offsetof(Totals, transitions)));
+    if (event & kEventTransition) {
+      const uint32_t from = event >> kEventFromShift, machine = uint32_t(r.enemies[cell.type].machine);
+      bump(s, tallyWordOf(offsetof(Tally, edges)) + (machine * kStates + from) * kStates + state.x);
+    }
     if (state.x == uint32_t(State::dead)) {
       bump(s, wordOf(offsetof(Totals, dying)));
       if (!(event & kEventDied)) return;
-      bump(s, wordOf(offsetof(Totals, killSounds)) + (dx < -kMiddlePan_m ? 0u : dx > kMiddlePan_m ? 2u : 1u));
+      const uint32_t side = dx < -kMiddlePan_m ? 0u : dx > kMiddlePan_m ? 2u : 1u;
+      bump(s, tallyWordOf(offsetof(Tally, killSounds)) + 3 * cell.type + side);
       if (state.w & kFlagBlasted) return;
+      atomicRaiseTo(v.scratch->pops[side], uint64_t(r.enemies[cell.type].value) << 32 | (~cell.id & 0xFFFFFFFFu));
       bump(s, wordOf(state.w & kFlagFlushed ? offsetof(Totals, bareKills) : offsetof(Totals, kills)) + cell.type);
       return;
     }

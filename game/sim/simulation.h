@@ -4,18 +4,26 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "game/input/input_record.h"
 #include "game/sim/rules.h"
+#include "game/sim/state_tables.h"
 #include "gpu/exec_options.h"
 #include "render/sprite_vertex.h"
 
 namespace gw {
 
 enum class Mode : uint32_t { arcade, deadline, swarm, practice };
+// How a run ended.
+enum class Ending : uint32_t { none, frameRate, timeUp, cleared };
 enum class BroadPhase : uint32_t { ngrid, bruteForce };
+// How the NGrid is asked and kept in order. Exact gathers cannot change the game; with an inexact one the
+// arrangement of the cells is part of the state: hashed, and kept in snapshots and replays.
+enum class Gather : uint32_t { exact, adaptive, fixed };
+enum class Sort : uint32_t { bitonic, oddEven };
 enum class Autopilot : uint32_t { none, novice, expert };
 
 struct SimulationConfig {
@@ -24,6 +32,8 @@ struct SimulationConfig {
   Mode mode = Mode::arcade;
   uint32_t enemies = 8192;  // how many live enemies fit
   Autopilot autopilot = Autopilot::none;
+  Gather gather = Gather::exact;
+  Sort sort = Sort::bitonic;
 
   // How it is computed. None of this changes a single bit of the game.
   BroadPhase broadPhase = BroadPhase::ngrid;
@@ -34,13 +44,20 @@ struct SimulationConfig {
 };
 
 // Sound events of one tick, counted by kind and by side (left, middle, right of the ship).
-enum class SoundEvent : uint32_t { shot, kill, contact, bit, wave, flush, over, count };
+enum class SoundEvent : uint32_t { shot, contact, bit, wave, flush, over, count };
 inline constexpr uint32_t kPans = 3;
+
+// A kill worth showing: the costliest of a tick on each side of the ship.
+struct Pop {
+  float x = 0, y = 0;   // m
+  uint32_t points = 0;  // its value times the multiplier; 0: none
+};
 
 // What one tick tells the host; everything else stays on the device.
 struct TickReport {
-  uint32_t tick = 0;    // ticks completed, counting from 1
-  uint32_t over = 0;    // 1 from the tick in which the frame time passed the limit
+  uint32_t tick = 0;  // ticks completed, counting from 1
+  uint32_t over = 0;  // not 0 from the tick in which the run ended
+  Ending ending = Ending::none;
   uint64_t hash = 0;    // of the whole simulated state after this tick
   InputRecord input{};  // as used: the autopilot's own when one is on
   float ship_x = 0, ship_y = 0, shipPrevious_x = 0, shipPrevious_y = 0;
@@ -53,6 +70,7 @@ struct TickReport {
   uint32_t flushes = 0;
   float flush_x = 0, flush_y = 0, flushRadius_m = 0;  // radius 0: none running
   uint32_t untouchable_ticks = 0;
+  uint32_t clock_ticks = 0;                   // left; deadline only
   uint32_t wave = 0;                          // waves started
   uint32_t enemies = 0, shots = 0, bits = 0;  // alive
   uint32_t enemiesInView = 0;                 // within Rules::Idle's half extents of the ship
@@ -63,8 +81,10 @@ struct TickReport {
   uint32_t contactType = kTypeNone;  // what touched the ship this tick, or kTypeNone
   uint32_t contactCost_us = 0;
   uint32_t killsByType[kMaxEnemyTypes] = {};  // over the whole run
-  uint32_t transitions = 0;                   // state changes this tick
+  Edges edges;                                // state changes this tick
   uint16_t sounds[uint32_t(SoundEvent::count)][kPans] = {};
+  uint16_t killSounds[kMaxEnemyTypes][kPans] = {};  // deaths, those without score too
+  Pop pops[kPans];
 };
 
 // One live entity, as snapshots hold it: everything that is simulated, by id, nothing of the NGrid's
@@ -125,6 +145,9 @@ class Simulation {
 
   // Writes the sprites within the view, the most dangerous last, and the instance count. Not a tick stage.
   virtual void drawList(const DrawView& view, const DrawTarget& target) = 0;
+
+  // The live enemy nearest to a place, within radius_m of it: all there is to know of one entity.
+  virtual std::optional<EntityRecord> inspect(float x, float y, float radius_m) = 0;
 
   // How many pairs the broad phase tests when every live enemy gathers within its vision.
   virtual CandidateCount countCandidates() = 0;

@@ -55,6 +55,19 @@ class DeviceSimulation final : public Simulation {
     drawList_.run(queue_, next(), view, target);
   }
 
+  std::optional<EntityRecord> inspect(float x, float y, float radius_m) override {
+    std::optional<EntityRecord> nearest;
+    float best2 = radius_m * radius_m;
+    for (const EntityRecord& e : snapshot().entities) {
+      const float dx = e.x - x, dy = e.y - y, d2 = dx * dx + dy * dy;
+      if (!isEnemy(e.type) || e.state == uint32_t(State::dead) || d2 > best2) continue;
+      if (d2 == best2 && nearest) continue;  // the lower id came first
+      best2 = d2;
+      nearest = e;
+    }
+    return nearest;
+  }
+
   CandidateCount countCandidates() override { return candidates_.run(queue_, next()); }
 
   void enableStageTimes(bool on) override {

@@ -64,7 +64,8 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   std::memset(static_cast<void*>(&host), 0, sizeof host);
   host.rules = config.rules;
   host.limits = limits_;
-  host.machines[uint32_t(Machine::kamikaze)] = kKamikaze;
+  host.mode = config.mode;
+  for (uint32_t m = 0; m < kMachines; ++m) host.machines[m] = tableOf(Machine(m));
   tables.upload(&host, 1);
 
   Master start;

@@ -20,7 +20,8 @@ namespace gw::GW_DEVICE {
 struct Tables {
   Rules rules;
   Limits limits;
-  MachineTable machines[3];  // by Machine
+  MachineTable machines[kMachines];  // by Machine
+  Mode mode;
 };
 
 struct View {

@@ -8,47 +8,108 @@
 
 namespace gw {
 
-enum class State : uint32_t { wandering, attacking, checkingEnergy, dead, count };
+enum class State : uint32_t { wandering, grouping, attacking, avoiding, escaping, checkingEnergy, dead, count };
+inline constexpr uint32_t kStates = uint32_t(State::count);
 
 // What a think kernel finds out about an entity this tick.
 enum Condition : uint32_t {
   kDamaged = 1u << 0,     // was hit since it last checked
   kEnergyGone = 1u << 1,  // energy <= 0
-  kSeesShip = 1u << 2,    // within its sight
-  kLostShip = 1u << 3,    // beyond Rules::Steering::sightLost times its sight
+  kEnergyLow = 1u << 2,   // under Rules::Steering::escapeBelow of its full energy
+  kRecovered = 1u << 3,   // at least Rules::Steering::recoveredAt of its full energy
+  kAvoided = 1u << 4,     // has avoided for Rules::Steering::avoid_ticks
+  kShotComing = 1u << 5,  // a shot ahead would hit or graze it, and its cooldown is over
+  kSeesShip = 1u << 6,    // within its sight
+  kLostShip = 1u << 7,    // beyond Rules::Steering::sightLost times its sight
+  kOwnKind = 1u << 8,     // one of its own type within its vision
+  kAlone = 1u << 9,       // none of its own type within its vision
 };
-inline constexpr uint32_t kConditionCount = 4;
+inline constexpr uint32_t kConditionCount = 10;
 
 constexpr uint32_t in(State state) {
   return 1u << uint32_t(state);
 }
+template <class... States>
+constexpr uint32_t in(State first, States... others) {
+  return in(first) | in(others...);
+}
 
 struct Transition {
-  uint32_t from;   // bits of the states it leaves: in(State) | ...
+  uint32_t from;   // the states it leaves: in(State, ...)
   uint32_t needs;  // Condition bits that must all hold
   State to;
 };
 
-inline constexpr uint32_t kMaxTransitions = 8;
+inline constexpr uint32_t kMaxTransitions = 16;
 
 struct MachineTable {
   uint32_t count;
   Transition rows[kMaxTransitions];
 };
 
-// RULES: damage interrupts every living state; checking decides between death, attack and wandering.
+// Damage interrupts every living state; checking decides between death, attack and wandering.
 inline constexpr MachineTable kKamikaze = {
     6,
-    {{in(State::wandering) | in(State::attacking) | in(State::checkingEnergy), kDamaged, State::checkingEnergy},
+    {{in(State::wandering, State::attacking, State::checkingEnergy), kDamaged, State::checkingEnergy},
      {in(State::checkingEnergy), kEnergyGone, State::dead},
      {in(State::checkingEnergy), kSeesShip, State::attacking},
      {in(State::checkingEnergy), 0, State::wandering},
      {in(State::wandering), kSeesShip, State::attacking},
      {in(State::attacking), kLostShip, State::wandering}}};
 
+// Flies with its own kind, and dodges.
+inline constexpr MachineTable kGroup = {
+    11,
+    {{in(State::wandering, State::grouping, State::attacking, State::avoiding, State::checkingEnergy), kDamaged,
+      State::checkingEnergy},
+     {in(State::checkingEnergy), kEnergyGone, State::dead},
+     {in(State::checkingEnergy), kSeesShip, State::attacking},
+     {in(State::checkingEnergy), 0, State::wandering},
+     {in(State::avoiding), kAvoided, State::wandering},
+     {in(State::wandering, State::grouping, State::attacking), kShotComing, State::avoiding},
+     {in(State::wandering, State::grouping), kSeesShip, State::attacking},
+     {in(State::wandering), kOwnKind, State::grouping},
+     {in(State::attacking), kLostShip | kOwnKind, State::grouping},
+     {in(State::attacking), kLostShip, State::wandering},
+     {in(State::grouping), kAlone, State::wandering}}};
+
+// The same, and flees to recover when its energy is low.
+inline constexpr MachineTable kTricky = {
+    13,
+    {{in(State::wandering, State::grouping, State::attacking, State::avoiding, State::escaping, State::checkingEnergy),
+      kDamaged, State::checkingEnergy},
+     {in(State::checkingEnergy), kEnergyGone, State::dead},
+     {in(State::checkingEnergy), kEnergyLow, State::escaping},
+     {in(State::checkingEnergy), kSeesShip, State::attacking},
+     {in(State::checkingEnergy), 0, State::wandering},
+     {in(State::escaping), kRecovered, State::wandering},
+     {in(State::avoiding), kAvoided, State::wandering},
+     {in(State::wandering, State::grouping, State::attacking), kShotComing, State::avoiding},
+     {in(State::wandering, State::grouping), kSeesShip, State::attacking},
+     {in(State::wandering), kOwnKind, State::grouping},
+     {in(State::attacking), kLostShip | kOwnKind, State::grouping},
+     {in(State::attacking), kLostShip, State::wandering},
+     {in(State::grouping), kAlone, State::wandering}}};
+
+inline constexpr uint32_t kMachines = 3;
+constexpr const MachineTable& tableOf(Machine machine) {
+  return machine == Machine::kamikaze ? kKamikaze : machine == Machine::group ? kGroup : kTricky;
+}
+
+// How often each transition was taken: by machine, state left, state entered.
+struct Edges {
+  uint32_t taken[kMachines][kStates][kStates] = {};
+};
+
 constexpr const char* nameOf(State state) {
-  constexpr const char* kNames[] = {"wandering", "attacking", "checking energy", "dead"};
+  constexpr const char* kNames[] = {"wandering", "grouping",        "attacking", "avoiding bullets",
+                                    "escaping",  "checking energy", "dead"};
   return kNames[uint32_t(state)];
+}
+
+constexpr const char* nameOf(Machine machine) {
+  constexpr const char* kNames[] = {"kamikaze", "group", "tricky"};
+  return kNames[uint32_t(machine)];
 }
 
 }  // namespace gw

@@ -48,7 +48,10 @@ struct Think {
     if (after == State::checkingEnergy) state.w &= ~uint32_t(kFlagHit);
     state.x = uint32_t(after);
     v.state[cell.id] = state;
-    if (after != before) v.event[cell.id] = kEventTransition | (after == State::dead ? uint32_t(kEventDied) : 0u);
+    if (after != before) {
+      v.event[cell.id] =
+          kEventTransition | uint32_t(before) << kEventFromShift | (after == State::dead ? uint32_t(kEventDied) : 0u);
+    }
     if (after == State::dead) return;
 
     const Wish wish = kamikazeWish(self, after, rules, r.steering, m.seed, m.tick);

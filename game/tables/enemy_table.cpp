@@ -6,13 +6,14 @@
 #include <cmath>
 #include <cstring>
 
+#include "game/sim/state_tables.h"
 #include "game/tables/toml_reader.h"
 
 namespace gw {
 namespace {
 
-constexpr std::string_view kMachines[] = {"kamikaze"};  // in Machine's order
-constexpr std::string_view kLaterMachines[] = {"group", "tricky"};
+constexpr std::string_view kMachineNames[] = {"kamikaze", "group", "tricky"};  // in Machine's order
+static_assert(std::size(kMachineNames) == kMachines);
 constexpr std::string_view kBounds[] = {"circle", "rectangle"};
 constexpr std::string_view kShapes[] = {"triangle", "square", "hexagon", "dart", "checkered", "star", "double_ring"};
 
@@ -27,14 +28,6 @@ void readName(TomlTable& table, const Rules& rules, EnemyRules& enemy) {
     table.refuse("name", fmt::format("'{}' stands in the table twice; give each type its own name", name));
   }
   std::memcpy(enemy.name, name.data(), name.size());
-}
-
-Machine readMachine(TomlTable& table) {
-  const std::string name = table.string("machine");
-  if (std::find(std::begin(kLaterMachines), std::end(kLaterMachines), name) != std::end(kLaterMachines)) {
-    table.refuse("machine", fmt::format("'{}' is not in this version yet; use 'kamikaze'", name));
-  }
-  return Machine(table.choice("machine", kMachines));
 }
 
 void readBounds(TomlTable& table, EnemyRules& enemy) {
@@ -55,7 +48,7 @@ double reach(const EnemyRules& enemy) {
 EnemyRules readEnemy(TomlTable& table, const Rules& rules) {
   EnemyRules enemy{};
   readName(table, rules, enemy);
-  enemy.machine = readMachine(table);
+  enemy.machine = Machine(table.choice("machine", kMachineNames));
   readBounds(table, enemy);
   enemy.speed_mps = table.number("speed_mps", 0.1, 18);  // damaged and pushed it stays under what integrate allows
   enemy.sight_m = table.number("sight_m", 1, 1000);
@@ -65,6 +58,9 @@ EnemyRules readEnemy(TomlTable& table, const Rules& rules) {
   enemy.contact_us = table.integer32("contact_us", 1, 100'000);
   enemy.value = table.integer32("value", 0, 1'000'000);
   enemy.bits = table.integer32("bits", 0, 64);
+  if (enemy.machine != Machine::kamikaze) {
+    enemy.avoidCooldown_ticks = table.integer32("avoid_cooldown_ticks", 0, 3600);
+  }
   enemy.shape = Shape(table.choice("shape", kShapes));
   enemy.colour = table.integer32("colour", 0, 0xffffff);
   table.done();

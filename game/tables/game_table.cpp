@@ -110,6 +110,25 @@ void readSteering(TomlTable table, Rules::Steering& steering) {
   steering.damagedSpeed = table.number("damaged_speed", 0.1, 4);
   steering.separation_mps = table.number("separation_mps", 0, 60);
   steering.sightLost = table.number("sight_lost", 1, 10);
+  steering.cohesion = table.number("cohesion", 0, 10);
+  steering.alignment = table.number("alignment", 0, 10);
+  steering.attackAlignment = table.number("attack_alignment", 0, 10);
+  steering.sideways = table.number("sideways", 0, 10);
+  steering.sidewaysBeyond_m = table.number("sideways_beyond_m", 0, 1000);
+  steering.threat_m = table.number("threat_m", 0, 20);
+  steering.threatMargin_m = table.number("threat_margin_m", 0, 5);
+  steering.avoid_mps = table.number("avoid_mps", 0, 18);  // as enemies' speed_mps
+  steering.avoidResponse = table.number("avoid_response", 0.001, 1);
+  steering.avoid_ticks = table.integer32("avoid_ticks", 1, kLongest_ticks);
+  steering.escapeBelow = table.number("escape_below", 0, 1);
+  steering.recoveredAt = table.number("recovered_at", 0, 1);
+  if (steering.recoveredAt <= steering.escapeBelow) {
+    table.refuse("recovered_at", fmt::format("{} is not above escape_below ({}); raise it", steering.recoveredAt,
+                                             steering.escapeBelow));
+  }
+  steering.recover_per_s = table.number("recover_per_s", 0.01, 1000);
+  steering.escapeSpeed = table.number("escape_speed", 0, 2);
+  steering.escapeWall_m = table.number("escape_wall_m", 0, 100);
   table.done();
 }
 
@@ -150,6 +169,20 @@ void readIdle(TomlTable table, Rules::Idle& idle) {
   table.done();
 }
 
+void readDeadline(TomlTable table, Rules::Deadline& deadline) {
+  deadline.clock_ticks = table.integer32("clock_s", 1, 3600) * kTicksPerSecond;
+  deadline.waveRate = table.integer32("wave_rate", 1, 10);
+  deadline.contactTicks_per_ms = table.integer32("contact_ticks_per_ms", 0, 1000);
+  table.done();
+}
+
+void readSwarm(TomlTable table, Rules::Swarm& swarm) {
+  swarm.clearance_m = table.number("clearance_m", 0, 30);
+  swarm.multiplierTenths = table.integer32("multiplier_tenths", 10, 1'000'000);
+  swarm.attackShare = table.number("attack_share", 0, 1);
+  table.done();
+}
+
 }  // namespace
 
 void readGameTable(const RuleText& text, Rules& rules) {
@@ -163,6 +196,8 @@ void readGameTable(const RuleText& text, Rules& rules) {
   readSteering(document.table("steering"), rules.steering);
   readEndless(document.table("endless"), rules);
   readIdle(document.table("idle"), rules.idle);
+  readDeadline(document.table("deadline"), rules.deadline);
+  readSwarm(document.table("swarm"), rules.swarm);
   document.done();
 }
 

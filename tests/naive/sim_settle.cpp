@@ -14,11 +14,9 @@ void settle(World& world) {
     ++t.occupied[e.type];
     if (!world.isEnemy(e)) continue;
     const float dx = e.x - ship.x, dy = e.y - ship.y;
-    if (e.transited) ++t.transitions;
     if (e.state == uint32_t(Kamikaze::dead)) {
       ++t.dying;
       if (!e.died) continue;
-      ++t.killSounds[dx < -6.0f ? 0 : dx > 6.0f ? 2 : 1];
       if (e.flags & kFlagBlasted) continue;
       if (e.flags & kFlagFlushed) {
         ++t.bareKills[e.type];

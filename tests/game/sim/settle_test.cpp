@@ -77,11 +77,12 @@ TEST_F(settle, deaths_score_by_how_they_came_and_sound_by_where) {
   const Totals t = run();
   EXPECT_EQ(t.kills[1], 1u);
   EXPECT_EQ(t.bareKills[1], 2u);
-  EXPECT_EQ(t.killSounds[0], 1u);
-  EXPECT_EQ(t.killSounds[1], 2u);
-  EXPECT_EQ(t.killSounds[2], 1u);
+  const Tally tally = fixture.scratch().tally;
+  EXPECT_EQ(tally.killSounds[1][0], 1u);
+  EXPECT_EQ(tally.killSounds[1][1], 2u);
+  EXPECT_EQ(tally.killSounds[1][2], 1u);
   EXPECT_EQ(t.dying, 5u);
-  EXPECT_EQ(t.transitions, 4u);
+  EXPECT_EQ(tally.edges.taken[0][uint32_t(State::checkingEnergy)][uint32_t(State::dead)], 4u);
 }
 
 TEST_F(settle, tells_who_is_in_view_and_who_is_coming) {

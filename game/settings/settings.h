@@ -1,0 +1,32 @@
+// What the player chose, beyond the command line. Lives in one TOML file (settings_file.h); every value has
+// a default, so that a missing or damaged entry costs that entry only.
+#pragma once
+
+#include "game/input/bindings.h"
+
+namespace gw {
+
+struct Settings {
+  struct Sound {
+    float effects = 0.8f, music = 0.6f;  // 0 to 1
+    bool muted = false;
+  } sound;
+
+  // Everything here is drawing only; off means not at all.
+  struct Effects {
+    float shake = 1;  // 0 to 1: every source of shake is scaled by it
+    float flash = 1;  // 0 to 1: every sudden brightness of the whole picture is scaled by it
+    bool particles = true;
+    bool gridBending = true;
+    bool scorePops = true;
+  } effects;
+
+  struct Pad {
+    float moveDeadZone = 0.2f, aimDeadZone = 0.25f;  // share of full deflection, 0 to 0.9
+  } pad;
+
+  bool fullscreen = false;
+  Bindings bindings;
+};
+
+}  // namespace gw
