@@ -17,6 +17,12 @@ struct BruteForce {
     return visitFrom(0, x, y, radius, visit);
   }
 
+  // As RowGather::around().
+  template <class Visitor>
+  GW_MEMBER uint32_t around(uint32_t, float x, float y, float radius, Visitor&& visit) const {
+    return visitFrom(0, x, y, radius, visit);
+  }
+
   // As RowGather::after().
   template <class Visitor>
   GW_MEMBER uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {

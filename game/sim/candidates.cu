@@ -14,8 +14,8 @@ struct CountTests {
     const Cell cell = v.moved[i];
     tested[i] = 0;
     if (!isEnemy(cell.type)) return;
-    const uint32_t tests =
-        search(cell.x, cell.y, v.tables->rules.enemies[cell.type].vision_m, [](const Cell&, uint32_t, float, float) {});
+    const uint32_t tests = search.around(i, cell.x, cell.y, v.tables->rules.enemies[cell.type].vision_m,
+                                         [](const Cell&, uint32_t, float, float) {});
     tested[i] = 1ull << 40 | (tests - 1);
   }
 };

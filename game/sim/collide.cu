@@ -67,7 +67,7 @@ struct ChooseVictims {
     const float reach = length(dx, dy) + r.shot.radius_m + v.tables->limits.largestReach_m + enemyStep_m(v) + kMargin_m;
     float first = kNoMeeting;
     uint32_t victim = kNobody;
-    search(from.x, from.y, reach, [&](const Cell& other, uint32_t place, float, float) {
+    search.around(i, from.x, from.y, reach, [&](const Cell& other, uint32_t place, float, float) {
       if (!isEnemy(other.type) || other.id == last || other.id == lastButOne) return;
       const Cell end = v.moved[place];
       const float t = sweepBody(from.x - other.x, from.y - other.y, dx - (end.x - other.x), dy - (end.y - other.y),
@@ -94,7 +94,7 @@ struct Suffer {
     if (!isEnemy(from.type) || v.master->over) return;
     if (v.state[from.id].x == uint32_t(State::dead)) return;
     const Cell to = v.moved[i];
-    if (v.chosenBy[from.id] > 0) takeShots(from);
+    if (v.chosenBy[from.id] > 0) takeShots(i, from);
     if (!isAnnounced(v, from.id)) meetShip(from, to);
   }
 
@@ -102,7 +102,7 @@ struct Suffer {
   // The order of two shots at one victim.
   GW_BODY static uint64_t turnOf(float time, uint32_t id) { return uint64_t(bitsOf(time)) << 32 | id; }
 
-  GW_BODY void takeShots(const Cell& self) const {
+  GW_BODY void takeShots(uint32_t i, const Cell& self) const {
     const Rules& r = v.tables->rules;
     Float4 force = v.nextForceEnergy[self.id];
     Float4 motion = v.velocityPrevious[self.id];
@@ -112,7 +112,7 @@ struct Suffer {
     for (uint32_t taken = 0; taken < v.chosenBy[self.id] && force.w > 0.0f; ++taken) {
       uint64_t next = ~0ull;
       uint32_t place = 0;
-      search(self.x, self.y, reach, [&](const Cell& shot, uint32_t where, float, float) {
+      search.around(i, self.x, self.y, reach, [&](const Cell& shot, uint32_t where, float, float) {
         if (shot.type != kTypeShot || v.choice[shot.id] != self.id) return;
         const uint64_t turn = turnOf(v.choiceTime[shot.id], shot.id);
         if (turn < done || turn >= next) return;

@@ -19,8 +19,8 @@ struct Broken {
   Search search;
 
   template <class Visitor>
-  uint32_t operator()(float x, float y, float radius, Visitor&& visit) const {
-    return broken(radius, visit, [&](float r, const auto& see) { return search(x, y, r, see); });
+  uint32_t around(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
+    return broken(radius, visit, [&](float r, const auto& see) { return search.around(index, x, y, r, see); });
   }
 
   template <class Visitor>
