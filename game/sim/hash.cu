@@ -77,6 +77,7 @@ struct Report {
     report.shots = m.totals.occupied[kTypeShot];
     report.bits = m.totals.occupied[kTypeBit];
     report.enemiesInView = m.totals.inView;
+    report.idle_ticks = m.idle_ticks;
     report.peakEnemies = larger(m.peakEnemies, report.enemies);
     report.refused = m.refused;
     report.bitsTaken = m.bitsTaken;

@@ -74,6 +74,7 @@ struct TickReport {
   uint32_t wave = 0;                          // waves started
   uint32_t enemies = 0, shots = 0, bits = 0;  // alive
   uint32_t enemiesInView = 0;                 // within Rules::Idle's half extents of the ship
+  uint32_t idle_ticks = 0;                    // for so long the next wave has been waited for; see Rules::Idle
   uint32_t peakEnemies = 0;
   uint32_t refused = 0;              // births that did not fit, over the whole run
   uint32_t bitsTaken = 0;            // over the whole run

@@ -142,6 +142,7 @@ TEST_F(hash, the_report_repeats_the_master_and_the_totals) {
   m.totals.occupied[kTypeShot] = 11;
   m.totals.occupied[kTypeBit] = 12;
   m.totals.inView = 21;
+  m.idle_ticks = 17;
   m.totals.bitsTaken = 70000;  // more than a count of sounds holds
   const TickReport r = run(world);
   EXPECT_EQ(r.tick, kLateTick);
@@ -161,6 +162,7 @@ TEST_F(hash, the_report_repeats_the_master_and_the_totals) {
   EXPECT_EQ(r.shots, 11u);
   EXPECT_EQ(r.bits, 12u);
   EXPECT_EQ(r.enemiesInView, 21u);
+  EXPECT_EQ(r.idle_ticks, 17u);
   EXPECT_EQ(r.peakEnemies, 29u);
   EXPECT_EQ(r.refused, 6u);
   EXPECT_EQ(r.bitsTaken, 8u);
