@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <mutex>
@@ -15,6 +14,7 @@
 #include "game/commands/hash_file.h"
 #include "game/commands/json_output.h"
 #include "game/commands/progress.h"
+#include "game/commands/run_facts.h"
 #include "game/device_choice.h"
 #include "game/interrupt.h"
 #include "game/replay/replay_reader.h"
@@ -38,10 +38,8 @@ struct Outcome {
   std::optional<Difference> first;
   std::string wrongResult;       // every tick equal, and yet the recorded result is another
   std::vector<uint64_t> hashes;  // as computed
-  // What the run was like, for tests that look at one.
-  TickReport last;
-  double travelled_m = 0;
-  uint64_t shots = 0, flushes = 0;
+  RunFacts facts;
+  SimulationConfig config;  // the replay's own
 };
 
 void compare(Outcome& outcome, const Replay& replay, Simulation& simulation) {
@@ -59,19 +57,13 @@ void compare(Outcome& outcome, const Replay& replay, Simulation& simulation) {
     if (report.hash != replay.hashes[tick] && !outcome.first) {
       outcome.first = Difference{tick + 1, replay.hashes[tick], report.hash};
     }
-    outcome.travelled_m += std::hypot(double(report.ship_x) - double(report.shipPrevious_x),
-                                      double(report.ship_y) - double(report.shipPrevious_y));
-    for (uint32_t pan = 0; pan < kPans; ++pan) {
-      outcome.shots += report.sounds[uint32_t(SoundEvent::shot)][pan];
-      outcome.flushes += report.sounds[uint32_t(SoundEvent::flush)][pan];
-    }
-    outcome.last = report;
+    outcome.facts.add(report);
   }
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void judge(Outcome& outcome, const Replay& replay) {
-  const TickReport& last = outcome.last;
+  const TickReport& last = outcome.facts.last;
   if (outcome.compared < replay.ticks()) {
     outcome.error = "interrupted after " + std::to_string(outcome.compared) + " of " + std::to_string(replay.ticks()) +
                     " ticks; run it again to its end";
@@ -93,6 +85,7 @@ Outcome verifyOne(const std::filesystem::path& file, const Options& options, con
   try {
     const Replay replay = readReplay(file);
     SimulationConfig config = replayConfig(replay);
+    outcome.config = config;
     setComputing(config, options);
     if (config.threads == 0 && options.jobs > 1) {  // the machine is shared between the jobs
       config.threads = std::max(1u, std::thread::hardware_concurrency() / options.jobs);
@@ -133,13 +126,7 @@ nlohmann::ordered_json toJson(const Outcome& outcome) {
   }
   if (!outcome.wrongResult.empty()) json["wrongResult"] = outcome.wrongResult;
   if (!outcome.error.empty()) json["error"] = outcome.error;
-  json["score"] = outcome.last.score;
-  json["kills"] = outcome.last.kills;
-  json["over"] = outcome.last.over != 0;
-  json["travelled_m"] = outcome.travelled_m;
-  json["shots"] = outcome.shots;
-  json["flushes"] = outcome.flushes;
-  json["lastHash"] = hexadecimal(outcome.last.hash);
+  factsToJson(json, outcome.facts, outcome.config);
   return json;
 }
 

@@ -96,6 +96,16 @@ constexpr const MachineTable& tableOf(Machine machine) {
   return machine == Machine::kamikaze ? kKamikaze : machine == Machine::group ? kGroup : kTricky;
 }
 
+// Whether some row leads from one state to another. A row that leads back to its own state changes nothing
+// and is no edge.
+constexpr bool hasEdge(Machine machine, State from, State to) {
+  const MachineTable& table = tableOf(machine);
+  for (uint32_t row = 0; row < table.count; ++row) {
+    if (from != to && (table.rows[row].from & in(from)) && table.rows[row].to == to) return true;
+  }
+  return false;
+}
+
 // How often each transition was taken: by machine, state left, state entered.
 struct Edges {
   uint32_t taken[kMachines][kStates][kStates] = {};
@@ -105,6 +115,33 @@ constexpr const char* nameOf(State state) {
   constexpr const char* kNames[] = {"wandering", "grouping",        "attacking", "avoiding bullets",
                                     "escaping",  "checking energy", "dead"};
   return kNames[uint32_t(state)];
+}
+
+// What one Condition bit means, in words for readers.
+constexpr const char* nameOf(Condition condition) {
+  switch (condition) {
+    case kDamaged:
+      return "damaged";
+    case kEnergyGone:
+      return "no energy left";
+    case kEnergyLow:
+      return "energy low";
+    case kRecovered:
+      return "recovered";
+    case kAvoided:
+      return "dodge done";
+    case kShotComing:
+      return "shot coming";
+    case kSeesShip:
+      return "sees the ship";
+    case kLostShip:
+      return "lost the ship";
+    case kOwnKind:
+      return "own type near";
+    case kAlone:
+      return "own type gone";
+  }
+  return "";
 }
 
 constexpr const char* nameOf(Machine machine) {
