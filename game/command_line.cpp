@@ -145,6 +145,9 @@ class VerbParser {
                     [&](uint64_t v) { options_.height_px = uint32_t(v); });
     values_.flag("--fullscreen", "fill the screen", [&] { options_.fullscreen = true; });
     values_.flag("--mute", "no sound", [&] { options_.mute = true; });
+    values_.path(
+        "--settings", "the settings file (~/.config/gpuwars/settings.toml)", "FILE",
+        [&](std::string v) { options_.settingsPath = v; }, kDiagnostics);
   }
 
   void addReplay() {

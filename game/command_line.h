@@ -43,6 +43,7 @@ struct Options {
   uint32_t width_px = 1280, height_px = 720;
   bool fullscreen = false;
   bool mute = false;
+  std::filesystem::path settingsPath;  // empty: the usual place
 
   // replay
   double speed = 1;  // times real time

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <thread>
 
@@ -43,17 +44,22 @@ float aspectOf(PixelSize size) {
 
 }  // namespace
 
-GameLoop::GameLoop(const Options& options) : fullscreen_(options.fullscreen) {
+GameLoop::GameLoop(const Options& options, const Settings& settings)
+    : fullscreen_(options.fullscreen || settings.fullscreen) {
   catchInterrupts();  // Ctrl-C closes the window, so that recordings are kept
   chooseDisplay();
   WindowOptions window;
   window.size = {int(options.width_px), int(options.height_px)};
-  window.fullscreen = options.fullscreen;
+  window.fullscreen = fullscreen_;
   try {
     context_ = makeSdlContext(window);
   } catch (const std::runtime_error& error) {
     throw UserError(ExitCode::failedRun, error.what());
   }
+  pads_ = std::make_unique<PadDevices>();
+  if (!pads_->problem().empty()) std::fprintf(stderr, "%s\n", pads_->problem().c_str());
+  input_.setBindings(settings.bindings);
+  input_.setDeadZones(settings.pad.moveDeadZone, settings.pad.aimDeadZone);
   SDL_DisplayMode mode{};
   const int display = std::max(0, SDL_GetWindowDisplayIndex(context_->window()));
   if (SDL_GetCurrentDisplayMode(display, &mode) == 0 && mode.refresh_rate > 0) period_s_ = 1.0 / mode.refresh_rate;
@@ -67,13 +73,20 @@ void GameLoop::prepare(const std::filesystem::path& assets, uint32_t capacity, b
   view_ = std::make_unique<WorldView>(assets, capacity, cuda);
 }
 
+void GameLoop::apply(const Settings& settings) {
+  input_.setBindings(settings.bindings);
+  input_.setDeadZones(settings.pad.moveDeadZone, settings.pad.aimDeadZone);
+  if (settings.fullscreen != fullscreen_) context_->setFullscreen(fullscreen_ = settings.fullscreen);
+}
+
 bool GameLoop::beginFrame() {
   SDL_Event event;
   while (SDL_PollEvent(&event) != 0) {
     if (event.type == SDL_QUIT) closed_ = true;
-    keys_.handle(event);
+    pads_->handle(event);
+    input_.handle(event);
   }
-  if (keys_.pressed(Action::fullscreen)) context_->setFullscreen(fullscreen_ = !fullscreen_);
+  if (input_.pressed(Action::fullscreen)) context_->setFullscreen(fullscreen_ = !fullscreen_);
   last_s_ = now_s_;
   now_s_ = clock_s();
   if (last_s_ == 0) last_s_ = now_s_;
@@ -95,9 +108,9 @@ InputRecord GameLoop::playerInput(const Run& run) {
   int width = 1, height = 1;  // events count in the window's own units, which are not always pixels
   SDL_GetWindowSize(context_->window(), &width, &height);
   if (camera_) {
-    camera_->toWorld(keys_.pointer_x_px(), keys_.pointer_y_px(), float(width), float(height), pointer.x, pointer.y);
+    camera_->toWorld(input_.pointer_x_px(), input_.pointer_y_px(), float(width), float(height), pointer.x, pointer.y);
   }
-  return keys_.record({run.last().ship_x, run.last().ship_y}, pointer);
+  return input_.record({run.last().ship_x, run.last().ship_y}, pointer);
 }
 
 void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens) {
@@ -128,11 +141,11 @@ void GameLoop::showCursor(bool on) {
 }
 
 void GameLoop::drawCrosshair(Canvas& canvas) const {
-  if (!keys_.aimsByMouse()) return;
+  if (!input_.aimsByMouse()) return;
   int width = 1, height = 1;
   SDL_GetWindowSize(context_->window(), &width, &height);
   const float scale = Canvas::kHeight / float(std::max(height, 1));
-  const float x = keys_.pointer_x_px() * scale, y = keys_.pointer_y_px() * scale;
+  const float x = input_.pointer_x_px() * scale, y = input_.pointer_y_px() * scale;
   const Rgba colour = theme::faded(theme::kAccent, 0.9f);
   for (const float side : {-1.0f, 1.0f}) {
     canvas.line(x + side * 5, y, x + side * 13, y, 1.5f, colour);

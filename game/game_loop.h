@@ -8,8 +8,10 @@
 
 #include "game/camera.h"
 #include "game/command_line.h"
-#include "game/input/keyboard_mouse.h"
+#include "game/input/pad_devices.h"
+#include "game/input/player_input.h"
 #include "game/run.h"
+#include "game/settings/settings.h"
 #include "game/tick_pacer.h"
 #include "game/world_view.h"
 #include "render/gl_context_sdl.h"
@@ -19,11 +21,15 @@ namespace gw {
 class GameLoop {
  public:
   // Opens the window. Throws UserError, one sentence, when there is no display or no OpenGL 4.5.
-  explicit GameLoop(const Options& options);
+  GameLoop(const Options& options, const Settings& settings);
   ~GameLoop();
 
   // Loads what drawing needs, once, for simulations of this capacity.
   void prepare(const std::filesystem::path& assets, uint32_t capacity, bool cuda);
+
+  // What the player chose anew, from the next frame on.
+  void apply(const Settings& settings);
+  bool fullscreen() const { return fullscreen_; }
 
   // Takes the events and the time of a new frame. False when the window was closed.
   bool beginFrame();
@@ -33,7 +39,7 @@ class GameLoop {
   using InputSource = std::function<bool(InputRecord&)>;
   void runTicks(Run& run, const Rules& rules, const InputSource& input);
 
-  // What keyboard and mouse say now.
+  // What keyboard, mouse and pad say now.
   InputRecord playerInput(const Run& run);
 
   // Draws the run and the screens over it, shows the picture, and waits where the screen does not.
@@ -44,7 +50,7 @@ class GameLoop {
   void showCursor(bool on);
   void drawCrosshair(Canvas& canvas) const;
 
-  KeyboardMouse& keys() { return keys_; }
+  PlayerInput& input() { return input_; }
   TickPacer& pacer() { return pacer_; }
   double now_s() const { return now_s_; }
   double realFps() const { return realFps_; }
@@ -56,7 +62,8 @@ class GameLoop {
   std::unique_ptr<SdlContext> context_;
   std::unique_ptr<WorldView> view_;
   std::unique_ptr<FollowCamera> camera_;
-  KeyboardMouse keys_;
+  std::unique_ptr<PadDevices> pads_;
+  PlayerInput input_;
   TickPacer pacer_;
   double now_s_ = 0, last_s_ = 0;
   double nextFrame_s_ = 0, period_s_ = 1.0 / 60;

@@ -1,15 +1,19 @@
 // gpuwars [play]: title, runs and what lies between them, in a window.
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "game/commands/commands.h"
+#include "game/commands/player_settings.h"
 #include "game/commands/run_factory.h"
 #include "game/game_loop.h"
+#include "game/settings/settings_menu.h"
 #include "game/ui/format.h"
 #include "game/ui/game_over.h"
 #include "game/ui/hud.h"
 #include "game/ui/pause.h"
 #include "game/ui/screen_flow.h"
+#include "game/ui/settings_screen.h"
 #include "game/ui/title.h"
 
 namespace gw {
@@ -18,7 +22,12 @@ namespace {
 
 class PlaySession {
  public:
-  explicit PlaySession(const Options& options) : options_(options), factory_(options), loop_(options) {
+  explicit PlaySession(const Options& options)
+      : options_(options),
+        factory_(options),
+        settingsFile_(settingsFileOf(options)),
+        settings_(readPlayerSettings(settingsFile_)),
+        loop_(options, settings_) {
     // Whoever names a bot or a length wants to see that run, not the title.
     const bool atOnce = options.autopilot != Autopilot::none || options.ticks > 0;
     screen_ = atOnce ? Screen::play : Screen::title;
@@ -40,18 +49,8 @@ class PlaySession {
  private:
   // One frame of the flow and of the simulation; false when the player leaves.
   bool step() {
-    KeyboardMouse& keys = loop_.keys();
-    FlowInput input;
-    input.confirm = keys.pressed(Action::confirm);
-    input.retry = keys.pressed(Action::retry);
-    input.pause = keys.pressed(Action::pause);
-    input.quit = keys.pressed(Action::quit);
-    keys.forgetPresses();
-    input.lostFocus = keys.lostFocus();
-    input.runOver = run_->over();
-    input.shown_s = loop_.now_s() - shownSince_s_;
-
     const Screen before = screen_;
+    const FlowInput input = flowInput();
     switch (advance(screen_, input)) {
       case FlowEvent::startRun:
         startRun();
@@ -64,12 +63,13 @@ class PlaySession {
       case FlowEvent::none:
         break;
     }
-    if (screen_ != before) shownSince_s_ = loop_.now_s();
+    if (screen_ != before) changeScreen(before);
     if (before == Screen::play && screen_ == Screen::over) keepBest();
     loop_.showCursor(screen_ != Screen::play);
 
-    if (screen_ == Screen::title && run_->over()) startAttract();
-    (screen_ == Screen::play || screen_ == Screen::title) ? loop_.pacer().resume() : loop_.pacer().pause();
+    const bool attracting = attract_ && (screen_ == Screen::title || screen_ == Screen::settings);
+    if (attracting && run_->over()) startAttract();
+    (screen_ == Screen::play || attracting) ? loop_.pacer().resume() : loop_.pacer().pause();
     bool ended = false;
     loop_.runTicks(*run_, factory_.rules(), [&](InputRecord& record) {
       ended = screen_ == Screen::play && options_.ticks > 0 && run_->last().tick >= options_.ticks;
@@ -79,11 +79,65 @@ class PlaySession {
     return !ended;
   }
 
+  FlowInput flowInput() {
+    PlayerInput& keys = loop_.input();
+    const MenuPresses menu = keys.menu(loop_.now_s());
+    FlowInput input;
+    // Enter and Escape mean what they mean in menus, whatever is bound to them.
+    const bool inMenu = screen_ != Screen::play;
+    input.confirm = keys.pressed(Action::confirm) || (inMenu && menu.confirm);
+    input.retry = keys.pressed(Action::retry);
+    input.pause = keys.pressed(Action::pause) || (inMenu && menu.escape);
+    input.quit = keys.pressed(Action::quit);
+    input.settings = keys.pressed(Action::settings);
+    keys.forgetPresses();
+    input.lostFocus = keys.lostFocus();
+    input.lostPad = keys.lostPad();
+    input.inRun = !attract_;
+    input.runOver = run_->over();
+    input.shown_s = loop_.now_s() - shownSince_s_;
+    padGone_ = (padGone_ || input.lostPad) && !keys.padInUse();
+    if (screen_ == Screen::settings) input.settingsDone = changeSettings(menu);
+    return input;
+  }
+
+  // A frame of the settings screen. True when the player is done there.
+  bool changeSettings(const MenuPresses& presses) {
+    PlayerInput& keys = loop_.input();
+    menu_->setFullscreen(loop_.fullscreen());
+    if (const std::optional<Control> control = keys.heard()) menu_->hear(*control);
+    menu_->press(presses, loop_.now_s());
+    if (menu_->waiting() && !keys.listening()) keys.listen();
+    if (!menu_->waiting()) keys.stopListening();
+    if (!(menu_->settings() == settings_)) loop_.apply(settings_ = menu_->settings());
+    return menu_->done();
+  }
+
+  void changeScreen(Screen before) {
+    shownSince_s_ = loop_.now_s();
+    if (screen_ == Screen::play) {
+      loop_.input().beginPlay();
+      padGone_ = false;
+    }
+    if (screen_ == Screen::settings) {
+      settings_.fullscreen = loop_.fullscreen();
+      settingsBefore_ = settings_;
+      menu_.emplace(settings_);
+    }
+    if (before == Screen::settings && !(settings_ == settingsBefore_)) writePlayerSettings(settingsFile_, settings_);
+  }
+
   void drawScreens(Canvas& canvas) {
     const Rules& rules = factory_.rules();
     const double shown_s = loop_.now_s() - shownSince_s_;
+    const bool pad = loop_.input().padInUse();
+    const KeyHints hints = keyHints(settings_.bindings, pad);
     if (screen_ == Screen::title) {
-      drawTitle(canvas, {shown_s, device_, options_.enemies, "arcade", best_});
+      drawTitle(canvas, {shown_s, device_, options_.enemies, "arcade", best_, hints});
+      return;
+    }
+    if (screen_ == Screen::settings) {
+      drawSettings(canvas, *menu_, {loop_.now_s(), pad});
       return;
     }
     HudFrame hud;
@@ -94,8 +148,8 @@ class PlaySession {
     if (options_.autopilot == Autopilot::expert) hud.banner = "EXPERT AUTOPILOT";
     drawHud(canvas, run_->monitor(), rules, hud);
     if (screen_ == Screen::play && options_.autopilot == Autopilot::none) loop_.drawCrosshair(canvas);
-    if (screen_ == Screen::pause) drawPause(canvas, rules, {});
-    if (screen_ == Screen::over) drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true});
+    if (screen_ == Screen::pause) drawPause(canvas, rules, {false, padGone_, hints});
+    if (screen_ == Screen::over) drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true, hints});
   }
 
   void startRun() {
@@ -103,7 +157,7 @@ class PlaySession {
     run_.reset();  // its memory first: two hordes at once may not fit
     run_ = factory_.make(options_.seed ? *options_.seed : randomSeed(), options_.autopilot, true);
     attract_ = false;
-    loop_.keys().forgetPresses();
+    loop_.input().forgetPresses();
     loop_.startAfresh(*run_);
   }
 
@@ -134,11 +188,15 @@ class PlaySession {
 
   Options options_;
   RunFactory factory_;
+  SettingsFile settingsFile_;
+  Settings settings_, settingsBefore_;  // now, and when the settings screen was opened
   GameLoop loop_;
   std::unique_ptr<Run> run_;
   std::string device_;
   Screen screen_ = Screen::title;
   double shownSince_s_ = 0;
+  std::optional<SettingsMenu> menu_;  // on the settings screen
+  bool padGone_ = false;              // what the pause must say
   bool attract_ = false;
   uint64_t best_ = 0, bestBefore_ = 0;
 };

@@ -6,6 +6,7 @@
 #include "game/asset_folder.h"
 #include "game/commands/commands.h"
 #include "game/commands/hash_file.h"
+#include "game/commands/player_settings.h"
 #include "game/device_choice.h"
 #include "game/game_loop.h"
 #include "game/replay/replay_reader.h"
@@ -26,7 +27,9 @@ class ReplaySession {
         replay_(readReplay(options.files.front())),
         config_(replayConfig(replay_)),
         device_(chooseDevice(options.device)),
-        loop_(options) {
+        settingsFile_(settingsFileOf(options)),
+        settings_(readPlayerSettings(settingsFile_)),
+        loop_(options, settings_) {
     setComputing(config_, options);
     run_.emplace(makeSimulation(device_, config_), std::nullopt);
     loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity(), device_.cuda);
@@ -49,9 +52,10 @@ class ReplaySession {
   bool ended() const { return run_->last().tick >= replay_.ticks() || run_->over(); }
 
   bool step() {
-    KeyboardMouse& keys = loop_.keys();
+    PlayerInput& keys = loop_.input();
+    const MenuPresses menu = keys.menu(loop_.now_s());
     const bool leave = keys.pressed(Action::quit);
-    const bool toggle = keys.pressed(Action::pause) || keys.pressed(Action::confirm);
+    const bool toggle = keys.pressed(Action::pause) || keys.pressed(Action::confirm) || menu.confirm || menu.escape;
     keys.forgetPresses();
     if (leave || (toggle && ended())) return false;
     TickPacer& pacer = loop_.pacer();
@@ -74,11 +78,13 @@ class ReplaySession {
     if (options_.speed != 1) hud.banner += "  x" + oneDecimal(options_.speed);
     if (differs_) hud.banner += "  DIFFERS FROM TICK " + std::to_string(*differs_);
     drawHud(canvas, run_->monitor(), config_.rules, hud);
+    const KeyHints hints = keyHints(settings_.bindings, loop_.input().padInUse());
     if (ended()) {
       endedSince_s_ = endedSince_s_ == 0 ? loop_.now_s() : endedSince_s_;
-      if (run_->over()) drawGameOver(canvas, run_->monitor(), config_.rules, {loop_.now_s() - endedSince_s_, 0, false});
+      if (run_->over())
+        drawGameOver(canvas, run_->monitor(), config_.rules, {loop_.now_s() - endedSince_s_, 0, false, hints});
     } else if (loop_.pacer().paused()) {
-      drawPause(canvas, config_.rules, {.replay = true});
+      drawPause(canvas, config_.rules, {.replay = true, .keys = hints});
     }
   }
 
@@ -86,6 +92,8 @@ class ReplaySession {
   Replay replay_;
   SimulationConfig config_;
   DeviceChoice device_;
+  SettingsFile settingsFile_;
+  Settings settings_;
   GameLoop loop_;
   std::optional<Run> run_;
   std::optional<uint32_t> differs_;

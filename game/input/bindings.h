@@ -1,11 +1,11 @@
-// Which key does what, as data. Keys are SDL scancodes: places on the board, so WASD stays a cross on
-// every layout.
+// Which key, mouse button and pad button does what, as data. Knows nothing of SDL, so that builds without a
+// window can carry it; control_names.h has the names.
 #pragma once
-
-#include <SDL_scancode.h>
 
 #include <array>
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 namespace gw {
 
@@ -28,42 +28,58 @@ enum class Action : uint32_t {
   confirm,
   retry,
   quit,
+  settings,
   fullscreen,
   mute,
   count
 };
 inline constexpr uint32_t kActions = uint32_t(Action::count);
 
-struct KeyBinding {
-  SDL_Scancode key;
-  Action action;
-};
+// "move_up", as the settings file spells it.
+std::string_view actionName(Action action);
 
-struct ButtonBinding {
-  uint8_t button;  // SDL_BUTTON_LEFT is 1, middle 2, right 3
-  Action action;
+enum class InputDevice : uint32_t { keyboard, mouse, pad, count };
+inline constexpr uint32_t kInputDevices = uint32_t(InputDevice::count);
+
+// Pad buttons are SDL_GameControllerButton numbers; triggers count as buttons of their own.
+inline constexpr uint16_t kPadA = 0, kPadB = 1, kPadX = 2, kPadY = 3, kPadBack = 4, kPadStart = 6, kPadLeftShoulder = 9,
+                          kPadRightShoulder = 10, kPadUp = 11, kPadDown = 12, kPadLeft = 13, kPadRight = 14;
+inline constexpr uint16_t kPadLeftTrigger = 30, kPadRightTrigger = 31;
+inline constexpr uint32_t kPadButtons = 32;
+inline constexpr uint32_t kKeys = 512;         // SDL_NUM_SCANCODES
+inline constexpr uint32_t kMouseButtons = 16;  // numbered from 1
+
+inline constexpr uint16_t kKeyEnter = 40, kKeyEscape = 41;
+
+// Something a hand can press.
+struct Control {
+  InputDevice device;
+  // Keyboard: an SDL scancode (a USB usage number): a place on the board, so that WASD stays a cross on every
+  // layout. Mouse: 1 left, 2 middle, 3 right. Pad: see above.
+  uint16_t code;
+
+  friend bool operator==(const Control&, const Control&) = default;
 };
 
 struct Bindings {
-  // Several keys may do one thing, and one key several: space flushes in play and starts on the title.
-  std::array<KeyBinding, 21> keys{{
-      {SDL_SCANCODE_W, Action::moveUp},       {SDL_SCANCODE_S, Action::moveDown},
-      {SDL_SCANCODE_A, Action::moveLeft},     {SDL_SCANCODE_D, Action::moveRight},
-      {SDL_SCANCODE_UP, Action::aimUp},       {SDL_SCANCODE_DOWN, Action::aimDown},
-      {SDL_SCANCODE_LEFT, Action::aimLeft},   {SDL_SCANCODE_RIGHT, Action::aimRight},
-      {SDL_SCANCODE_SPACE, Action::flush},    {SDL_SCANCODE_SPACE, Action::confirm},
-      {SDL_SCANCODE_LSHIFT, Action::flush},   {SDL_SCANCODE_ESCAPE, Action::pause},
-      {SDL_SCANCODE_P, Action::pause},        {SDL_SCANCODE_PAUSE, Action::pause},
-      {SDL_SCANCODE_RETURN, Action::confirm}, {SDL_SCANCODE_KP_ENTER, Action::confirm},
-      {SDL_SCANCODE_R, Action::retry},        {SDL_SCANCODE_Q, Action::quit},
-      {SDL_SCANCODE_F11, Action::fullscreen}, {SDL_SCANCODE_F, Action::fullscreen},
-      {SDL_SCANCODE_M, Action::mute},
-  }};
-  std::array<ButtonBinding, 3> buttons{{
-      {1, Action::fire},
-      {1, Action::confirm},
-      {3, Action::flush},
-  }};
+  // What does what when nobody changed it.
+  Bindings();
+
+  std::vector<uint16_t>& codes(InputDevice device, Action action) { return of[uint32_t(device)][uint32_t(action)]; }
+  const std::vector<uint16_t>& codes(InputDevice device, Action action) const {
+    return of[uint32_t(device)][uint32_t(action)];
+  }
+  bool has(Control control, Action action) const;
+
+  // Several controls may do one thing, and one control several: space flushes in play and starts on the title.
+  std::array<std::array<std::vector<uint16_t>, kActions>, kInputDevices> of;
+
+  friend bool operator==(const Bindings&, const Bindings&) = default;
 };
+// More for one action and device make no sense, and a damaged file must not make them either.
+inline constexpr size_t kMaxControls = 8;
+
+// No one may be locked out of the pause: where it has no key it gets Escape, where it has no pad button Start.
+Bindings withFallBacks(Bindings bindings);
 
 }  // namespace gw

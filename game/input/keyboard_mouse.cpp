@@ -34,10 +34,9 @@ void KeyboardMouse::handle(const SDL_Event& event) {
       const uint32_t key = uint32_t(event.key.keysym.scancode);
       const bool down = event.type == SDL_KEYDOWN;
       if (key >= keyDown_.size() || keyDown_[key] == uint8_t(down)) return;
+      if (event.key.repeat != 0) return;  // of a key whose press went elsewhere
       keyDown_[key] = down;
-      for (const KeyBinding& binding : bindings_.keys) {
-        if (uint32_t(binding.key) == key) down ? press(binding.action) : release(binding.action);
-      }
+      change({InputDevice::keyboard, uint16_t(key)}, down);
       return;
     }
     case SDL_MOUSEBUTTONDOWN:
@@ -48,12 +47,8 @@ void KeyboardMouse::handle(const SDL_Event& event) {
       buttonDown_[button] = down;
       pointer_x_ = float(event.button.x);
       pointer_y_ = float(event.button.y);
-      for (const ButtonBinding& binding : bindings_.buttons) {
-        if (binding.button == button) {
-          if (binding.action == Action::fire) mouseAims_ = true;
-          down ? press(binding.action) : release(binding.action);
-        }
-      }
+      if (bindings_.has({InputDevice::mouse, uint16_t(button)}, Action::fire)) mouseAims_ = true;
+      change({InputDevice::mouse, uint16_t(button)}, down);
       return;
     }
     case SDL_MOUSEMOTION:
@@ -70,6 +65,11 @@ void KeyboardMouse::handle(const SDL_Event& event) {
     default:
       return;
   }
+}
+
+void KeyboardMouse::setBindings(const Bindings& bindings) {
+  bindings_ = bindings;
+  releaseAll();
 }
 
 InputRecord KeyboardMouse::record(WorldPoint ship, WorldPoint underPointer) {
@@ -97,6 +97,11 @@ bool KeyboardMouse::pressed(Action action) {
   return true;
 }
 
+void KeyboardMouse::beginPlay() {
+  tapped_.fill(false);
+  heldKeys_[uint32_t(Action::flush)] = 0;
+}
+
 void KeyboardMouse::releaseAll() {
   keyDown_.fill(0);
   buttonDown_.fill(0);
@@ -108,6 +113,17 @@ bool KeyboardMouse::lostFocus() {
   const bool lost = lostFocus_;
   lostFocus_ = false;
   return lost;
+}
+
+void KeyboardMouse::aimedElsewhere(uint16_t aim) {
+  mouseAims_ = false;
+  aim_ = aim;
+}
+
+void KeyboardMouse::change(Control control, bool down) {
+  for (uint32_t i = 0; i < kActions; ++i) {
+    if (bindings_.has(control, Action(i))) down ? press(Action(i)) : release(Action(i));
+  }
 }
 
 void KeyboardMouse::press(Action action) {

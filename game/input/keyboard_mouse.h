@@ -27,6 +27,9 @@ class KeyboardMouse {
 
   void handle(const SDL_Event& event);
 
+  // Other keys from now on; what is held counts as released.
+  void setBindings(const Bindings& bindings);
+
   // The record for the next tick. The mouse aims from the ship at what lies under the pointer; held
   // arrow keys overrule it until the mouse moves again without them. A tap between two ticks counts for
   // one tick.
@@ -37,6 +40,9 @@ class KeyboardMouse {
   // Forgets presses that nobody asked for, so that none acts on the next screen.
   void forgetPresses() { pressedCount_.fill(0); }
 
+  // Forgets taps and the hold on flush: the space that starts a run does not flush in it.
+  void beginPlay();
+
   // Releases everything: keys let go elsewhere send no event here.
   void releaseAll();
   // True once after the window lost the focus.
@@ -45,16 +51,19 @@ class KeyboardMouse {
   float pointer_x_px() const { return pointer_x_; }
   float pointer_y_px() const { return pointer_y_; }
   bool aimsByMouse() const { return mouseAims_; }
+  // Something else aimed: the mouse takes the aim back when it moves.
+  void aimedElsewhere(uint16_t aim);
 
  private:
+  void change(Control control, bool down);
   void press(Action action);
   void release(Action action);
   bool held(Action action) const { return heldKeys_[uint32_t(action)] > 0 || tapped_[uint32_t(action)]; }
   int axis(Action negative, Action positive) const;
 
   Bindings bindings_;
-  std::array<uint8_t, SDL_NUM_SCANCODES> keyDown_{};  // repeats and doubled events do not count twice
-  std::array<uint8_t, 16> buttonDown_{};
+  std::array<uint8_t, kKeys> keyDown_{};  // repeats and doubled events do not count twice
+  std::array<uint8_t, kMouseButtons> buttonDown_{};
   std::array<uint32_t, kActions> heldKeys_{};  // how many keys hold it
   std::array<bool, kActions> tapped_{};        // pressed since the last record
   std::array<uint32_t, kActions> pressedCount_{};

@@ -10,6 +10,7 @@ struct Settings {
   struct Sound {
     float effects = 0.8f, music = 0.6f;  // 0 to 1
     bool muted = false;
+    friend bool operator==(const Sound&, const Sound&) = default;
   } sound;
 
   // Everything here is drawing only; off means not at all.
@@ -19,14 +20,18 @@ struct Settings {
     bool particles = true;
     bool gridBending = true;
     bool scorePops = true;
+    friend bool operator==(const Effects&, const Effects&) = default;
   } effects;
 
   struct Pad {
     float moveDeadZone = 0.2f, aimDeadZone = 0.25f;  // share of full deflection, 0 to 0.9
+    friend bool operator==(const Pad&, const Pad&) = default;
   } pad;
 
   bool fullscreen = false;
   Bindings bindings;
+
+  friend bool operator==(const Settings&, const Settings&) = default;
 };
 
 }  // namespace gw

@@ -1,16 +1,11 @@
 #include "game/tables/toml_reader.h"
 
-// Nested values are counted by toml++, nested dotted keys by kMaxLine: together they bound the recursion
-// of parsing and destruction, whatever text a replay brings along.
-#define TOML_HEADER_ONLY 1
-#define TOML_EXCEPTIONS 1
-#define TOML_MAX_NESTED_VALUES 16
-#define TOML_ENABLE_FORMATTERS 0
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "game/tables/toml_library.h"
 
 namespace gw {
 

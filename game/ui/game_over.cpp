@@ -66,9 +66,11 @@ void drawGameOver(Canvas& canvas, const RunMonitor& run, const Rules& rules, con
 
   if (frame.canRetry) {
     const float pulse = 0.65f + 0.35f * float(std::sin(frame.time_s * 3.2));
-    canvas.text("R / ENTER: again", middle, 600, style(20, faded(kGold, pulse), TextAlign::centre, 0.6f));
+    canvas.text(frame.keys.retry + " / " + frame.keys.confirm + ": again", middle, 600,
+                style(20, faded(kGold, pulse), TextAlign::centre, 0.6f));
   }
-  canvas.text(frame.canRetry ? "ESC: title" : "ESC: leave", middle, 632, style(11, kQuiet, TextAlign::centre, 0.1f));
+  canvas.text(frame.keys.pause + (frame.canRetry ? ": title" : ": leave"), middle, 632,
+              style(11, kQuiet, TextAlign::centre, 0.1f));
 }
 
 }  // namespace gw

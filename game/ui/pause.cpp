@@ -15,18 +15,23 @@ void drawPause(Canvas& canvas, const Rules& rules, const PauseFrame& frame) {
   canvas.nextLayer();
   canvas.text("PAUSED", middle, 206, style(48, kAccent, TextAlign::centre, 0.8f));
 
-  float y = 262;
-  const auto key = [&](const char* name, const char* does) {
+  if (frame.lostPad) {
+    canvas.text("the controller is gone: connect it, or press ESC to go on with the keyboard", middle, 236,
+                style(12, kDanger, TextAlign::centre, 0.3f));
+  }
+  float y = 268;
+  const auto key = [&](const std::string& name, const char* does) {
     canvas.text(name, middle - 12, y, style(13, kGold, TextAlign::right, 0.3f));
     canvas.text(does, middle + 12, y, style(13, kText, TextAlign::left, 0.1f));
     y += 28;
   };
-  key("ESC", "resume");
-  if (!frame.replay) key("R", "start again");
-  key("Q", frame.replay ? "leave" : "title");
+  key(frame.keys.pause, "resume");
+  if (!frame.replay) key(frame.keys.retry, "start again");
+  if (!frame.replay) key(frame.keys.settings, "settings");
+  key(frame.keys.quit, frame.replay ? "leave" : "title");
 
   // The table of types, as the rules in use have it: what touching each costs, what processing it pays.
-  y += 26;
+  y += 20;
   const float name = middle - 190, cost = middle + 70, value = middle + 190;
   canvas.text("TYPE", name + 26, y, style(9, kQuiet, TextAlign::left, 0));
   canvas.text("CONTACT", cost, y, style(9, kQuiet, TextAlign::right, 0));

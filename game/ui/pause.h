@@ -3,11 +3,14 @@
 
 #include "game/sim/rules.h"
 #include "game/ui/canvas.h"
+#include "game/ui/key_hints.h"
 
 namespace gw {
 
 struct PauseFrame {
-  bool replay = false;  // pausing somebody else's run: no retry
+  bool replay = false;   // pausing somebody else's run: no retry, no settings
+  bool lostPad = false;  // because the controller in use went away
+  KeyHints keys{};
 };
 
 void drawPause(Canvas& canvas, const Rules& rules, const PauseFrame& frame);

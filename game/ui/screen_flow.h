@@ -3,15 +3,19 @@
 
 namespace gw {
 
-enum class Screen { title, play, pause, over };
+enum class Screen { title, play, pause, over, settings };
 enum class FlowEvent { none, startRun, leaveRun, quitProgram };
 
 struct FlowInput {
-  bool confirm = false;  // Enter, space, click
-  bool retry = false;    // R
-  bool pause = false;    // Esc, P
-  bool quit = false;     // Q
+  bool confirm = false;   // Enter, space, click
+  bool retry = false;     // R
+  bool pause = false;     // Esc, P
+  bool quit = false;      // Q
+  bool settings = false;  // O
+  bool settingsDone = false;
   bool lostFocus = false;
+  bool lostPad = false;  // the controller in use went away
+  bool inRun = false;    // a run waits: where the settings lead back to
   bool runOver = false;
   double shown_s = 0;  // how long this screen has been shown
 };

@@ -11,22 +11,22 @@ namespace {
 
 using namespace theme;
 
-struct Control {
-  const char* keys;
+struct Hint {
+  const std::string& keys;
   const char* does;
 };
-constexpr Control kControls[] = {
-    {"WASD", "move"}, {"ARROWS or MOUSE", "aim and fire"}, {"SPACE", "flush"}, {"ESC", "pause"}, {"F", "fullscreen"}};
 
 // "WASD move   ARROWS or MOUSE aim and fire   ..." in two colours, as one centred line.
-void drawControls(Canvas& canvas, float baseline) {
-  constexpr float kSize = 11, kBetween = 9, kApart = 34;
+void drawControls(Canvas& canvas, const KeyHints& keys, float baseline) {
+  const Hint hints[] = {{keys.move, "move"},   {keys.aim, "aim and fire"},  {keys.flush, "flush"},
+                        {keys.pause, "pause"}, {keys.settings, "settings"}, {keys.fullscreen, "fullscreen"}};
+  constexpr float kSize = 11, kBetween = 9, kApart = 30;
   float total = -kApart;
-  for (const Control& control : kControls) {
+  for (const Hint& control : hints) {
     total += canvas.textWidth(control.keys, kSize) + kBetween + canvas.textWidth(control.does, kSize) + kApart;
   }
   float x = (canvas.width() - total) / 2;
-  for (const Control& control : kControls) {
+  for (const Hint& control : hints) {
     canvas.text(control.keys, x, baseline, style(kSize, kAccent, TextAlign::left, 0.3f));
     x += canvas.textWidth(control.keys, kSize) + kBetween;
     canvas.text(control.does, x, baseline, style(kSize, kText, TextAlign::left, 0.1f));
@@ -53,13 +53,13 @@ void drawTitle(Canvas& canvas, const TitleFrame& frame) {
               style(14, kText, TextAlign::centre, 0.25f));
 
   const float pulse = 0.65f + 0.35f * float(std::sin(t * 3.2));
-  canvas.text("PRESS ENTER", middle, 470, style(22, faded(kGold, pulse), TextAlign::centre, 0.6f));
-  canvas.text("or click, or space", middle, 496, style(10, kQuiet, TextAlign::centre, 0));
+  canvas.text("PRESS " + frame.keys.confirm, middle, 470, style(22, faded(kGold, pulse), TextAlign::centre, 0.6f));
+  canvas.text(frame.keys.confirmToo, middle, 496, style(10, kQuiet, TextAlign::centre, 0));
   if (frame.best > 0) {
     canvas.text("best " + withCommas(frame.best), middle, 540, style(14, kText, TextAlign::centre, 0.3f));
   }
 
-  drawControls(canvas, Canvas::kHeight - 76);
+  drawControls(canvas, frame.keys, Canvas::kHeight - 76);
   canvas.text(frame.mode + ", up to " + withCommas(frame.enemies) + " enemies on " + frame.device, middle,
               Canvas::kHeight - 36, style(9, kQuiet, TextAlign::centre, 0));
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "game/ui/canvas.h"
+#include "game/ui/key_hints.h"
 
 namespace gw {
 
@@ -13,6 +14,7 @@ struct TitleFrame {
   uint32_t enemies = 0;  // that fit
   std::string mode;      // "arcade"
   uint64_t best = 0;     // of this session
+  KeyHints keys{};
 };
 
 void drawTitle(Canvas& canvas, const TitleFrame& frame);

@@ -21,7 +21,7 @@ class Failures:
 
 def without_display():
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")}
-    return environment
+    return {**environment, "XDG_CONFIG_HOME": "/nonexistent"}  # nobody's own settings take part
 
 
 def run(program, *arguments, environment=None, timeout=300):

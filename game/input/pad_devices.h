@@ -1,0 +1,37 @@
+// Opens game controllers as they are connected, and closes them when they go: only an open one sends events.
+#pragma once
+
+#include <SDL_events.h>
+#include <SDL_gamecontroller.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gw {
+
+class PadDevices {
+ public:
+  // Starts SDL's game controllers; those connected already are announced by events. Where that fails there are no
+  // pads, and problem() says why.
+  PadDevices();
+  ~PadDevices();
+  PadDevices(const PadDevices&) = delete;
+  PadDevices& operator=(const PadDevices&) = delete;
+
+  // SDL_CONTROLLERDEVICEADDED and SDL_CONTROLLERDEVICEREMOVED; others mean nothing here.
+  void handle(const SDL_Event& event);
+
+  size_t open() const { return pads_.size(); }
+  const std::string& problem() const { return problem_; }  // one sentence; empty: none
+
+ private:
+  struct Close {
+    void operator()(SDL_GameController* pad) const { SDL_GameControllerClose(pad); }
+  };
+  std::vector<std::unique_ptr<SDL_GameController, Close>> pads_;
+  bool started_ = false;
+  std::string problem_;
+};
+
+}  // namespace gw

@@ -1,0 +1,38 @@
+// Where the settings live. Whatever is wrong there, the game goes on, and nothing of the player's is lost silently.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "game/settings/settings_text.h"
+
+namespace gw {
+
+// $XDG_CONFIG_HOME/gpuwars/settings.toml, else ~/.config/gpuwars/settings.toml; empty when the environment names
+// neither folder.
+std::filesystem::path usualSettingsPath();
+
+class SettingsFile {
+ public:
+  // An empty path: the settings of this session are not kept.
+  explicit SettingsFile(std::filesystem::path path) : path_(std::move(path)) {}
+
+  // What is there, defaults for the rest. Adds one sentence for each thing that is wrong; none when there is no file.
+  Settings read(std::vector<std::string>& sentences);
+
+  // Writes the file whole or not at all. A file that had wrong values is first kept beside it as settings.toml.bad (or
+  // .bad-2 and so on). Adds a sentence when that was done, and one when nothing could be written.
+  void write(const Settings& settings, std::vector<std::string>& sentences);
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path keepDamaged() const;
+
+  std::filesystem::path path_;
+  bool damaged_ = false;
+  std::vector<std::pair<std::string, std::string>> unknown_;
+};
+
+}  // namespace gw
