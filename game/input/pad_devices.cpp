@@ -11,7 +11,9 @@ PadDevices::PadDevices() {
   if (!started_) {
     problem_ = std::string("Game controllers cannot be used (") + SDL_GetError() +
                "): play with keyboard and mouse, or check who may read /dev/input.";
+    return;
   }
+  for (int device = 0; device < SDL_NumJoysticks(); ++device) open(device);
 }
 
 PadDevices::~PadDevices() {
@@ -19,20 +21,24 @@ PadDevices::~PadDevices() {
   if (started_) SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
 }
 
+// The device may be no game controller, gone again, or open already: what is connected at the start is announced too.
+void PadDevices::open(int device) {
+  if (!SDL_IsGameController(device)) return;
+  Pad pad(SDL_GameControllerOpen(device));
+  if (!pad) return;
+  const SDL_JoystickID id = idOf(pad);
+  const bool known = std::any_of(pads_.begin(), pads_.end(), [&](const Pad& other) { return idOf(other) == id; });
+  if (!known) pads_.push_back(std::move(pad));
+}
+
+SDL_JoystickID PadDevices::idOf(const Pad& pad) {
+  return SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(pad.get()));
+}
+
 void PadDevices::handle(const SDL_Event& event) {
-  const auto idOf = [](const std::unique_ptr<SDL_GameController, Close>& pad) {
-    return SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(pad.get()));
-  };
-  if (event.type == SDL_CONTROLLERDEVICEADDED) {
-    // A device may be gone again, or announced twice.
-    std::unique_ptr<SDL_GameController, Close> pad(SDL_GameControllerOpen(event.cdevice.which));
-    if (!pad) return;
-    const SDL_JoystickID id = idOf(pad);
-    const bool known = std::any_of(pads_.begin(), pads_.end(), [&](const auto& other) { return idOf(other) == id; });
-    if (!known) pads_.push_back(std::move(pad));
-  }
+  if (event.type == SDL_CONTROLLERDEVICEADDED) open(event.cdevice.which);
   if (event.type == SDL_CONTROLLERDEVICEREMOVED) {
-    std::erase_if(pads_, [&](const auto& pad) { return idOf(pad) == event.cdevice.which; });
+    std::erase_if(pads_, [&](const Pad& pad) { return idOf(pad) == event.cdevice.which; });
   }
 }
 

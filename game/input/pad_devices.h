@@ -12,8 +12,8 @@ namespace gw {
 
 class PadDevices {
  public:
-  // Starts SDL's game controllers; those connected already are announced by events. Where that fails there are no
-  // pads, and problem() says why.
+  // Starts SDL's game controllers and opens those that are connected. Where that fails there are no pads, and problem()
+  // says why.
   PadDevices();
   ~PadDevices();
   PadDevices(const PadDevices&) = delete;
@@ -22,14 +22,18 @@ class PadDevices {
   // SDL_CONTROLLERDEVICEADDED and SDL_CONTROLLERDEVICEREMOVED; others mean nothing here.
   void handle(const SDL_Event& event);
 
-  size_t open() const { return pads_.size(); }
+  size_t connected() const { return pads_.size(); }
   const std::string& problem() const { return problem_; }  // one sentence; empty: none
 
  private:
   struct Close {
     void operator()(SDL_GameController* pad) const { SDL_GameControllerClose(pad); }
   };
-  std::vector<std::unique_ptr<SDL_GameController, Close>> pads_;
+  using Pad = std::unique_ptr<SDL_GameController, Close>;
+  void open(int device);
+  static SDL_JoystickID idOf(const Pad& pad);
+
+  std::vector<Pad> pads_;
   bool started_ = false;
   std::string problem_;
 };

@@ -96,7 +96,12 @@ fs::path SettingsFile::keepDamaged() const {
   for (uint32_t number = 1;; ++number) {
     const fs::path kept = path_.string() + (number == 1 ? ".bad" : fmt::format(".bad-{}", number));
     if (fs::exists(fs::symlink_status(kept))) continue;
-    fs::copy_file(path_, kept);
+    std::error_code error;
+    if (!fs::copy_file(path_, kept, error)) {
+      std::error_code ignored;
+      fs::remove(kept, ignored);  // half a copy is none
+      throw fs::filesystem_error("", kept, error);
+    }
     return kept;
   }
 }

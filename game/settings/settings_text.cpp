@@ -110,7 +110,8 @@ class Reader {
     }
     float& number = *field.number(result_.settings);
     const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
-    if (value && *value >= 0 && *value <= double(field.most)) {
+    // Compared as it is kept: 0.9 as a double is more than 0.9 as a float. Huge ones do not fit a float at all.
+    if (value && *value >= 0 && *value < 2 && float(*value) <= field.most) {
       number = float(*value);
     } else {
       wrong(*node, key,

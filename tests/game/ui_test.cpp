@@ -233,6 +233,51 @@ TEST(UiFlowTest, FromTitleToPlayToPauseToTitle) {
   EXPECT_EQ(advance(screen, {.pause = true}), FlowEvent::quitProgram);
 }
 
+TEST(UiFlowTest, TheSettingsLeadBackToWhereTheyWereOpened) {
+  Screen screen = Screen::title;
+  EXPECT_EQ(advance(screen, {.settings = true}), FlowEvent::none);
+  ASSERT_EQ(screen, Screen::settings);
+  EXPECT_EQ(advance(screen, {.confirm = true, .retry = true, .pause = true, .quit = true, .settings = true}),
+            FlowEvent::none);
+  ASSERT_EQ(screen, Screen::settings) << "only the screen itself says when it is done";
+  EXPECT_EQ(advance(screen, {.settingsDone = true}), FlowEvent::none);
+  EXPECT_EQ(screen, Screen::title);
+  screen = Screen::pause;
+  advance(screen, {.settings = true});
+  ASSERT_EQ(screen, Screen::settings);
+  EXPECT_EQ(advance(screen, {.settingsDone = true, .inRun = true}), FlowEvent::none);
+  EXPECT_EQ(screen, Screen::pause) << "the run still waits";
+  screen = Screen::play;
+  advance(screen, {.settings = true});
+  EXPECT_EQ(screen, Screen::play);
+}
+
+TEST(UiFlowTest, APadThatGoesPausesThePlay) {
+  Screen screen = Screen::play;
+  EXPECT_EQ(advance(screen, {.lostPad = true}), FlowEvent::none);
+  EXPECT_EQ(screen, Screen::pause);
+  EXPECT_EQ(advance(screen, {.lostPad = true}), FlowEvent::none);
+  EXPECT_EQ(screen, Screen::pause);
+  RememberingCanvas gone, fine;
+  drawPause(gone, someRules(), {.lostPad = true});
+  drawPause(fine, someRules(), {});
+  EXPECT_TRUE(gone.says("the controller is gone"));
+  EXPECT_FALSE(fine.says("controller"));
+}
+
+TEST(UiFlowTest, AStartButtonThatIsPauseAndConfirmDoesWhatEachScreenMeans) {
+  const FlowInput start{.confirm = true, .pause = true};
+  Screen screen = Screen::title;
+  EXPECT_EQ(advance(screen, start), FlowEvent::startRun);
+  EXPECT_EQ(advance(screen, start), FlowEvent::none);
+  EXPECT_EQ(screen, Screen::pause);
+  EXPECT_EQ(advance(screen, start), FlowEvent::none);
+  EXPECT_EQ(screen, Screen::play);
+  screen = Screen::over;
+  EXPECT_EQ(advance(screen, start), FlowEvent::none) << "too early to start, and no reason to leave";
+  EXPECT_EQ(screen, Screen::over);
+}
+
 TEST(UiFlowTest, TheResultCannotBeSkippedUnseenButRetryIsInstant) {
   Screen screen = Screen::play;
   EXPECT_EQ(advance(screen, {.runOver = true}), FlowEvent::none);
