@@ -8,6 +8,7 @@
 namespace gw::GW_DEVICE {
 namespace {
 
+constexpr uint32_t kTenOfThem = 3;  // index into kPracticeCounts
 constexpr float kView_x_m = 36.0f, kView_y_m = 20.0f;
 
 struct TakeInput {
@@ -53,6 +54,14 @@ struct Bot {
   GW_BODY static uint16_t turns(float angle_rad) {
     const float share = angle_rad / kTwoPi;
     return uint16_t(uint32_t(int32_t(clamp(share, -4.0f, 4.0f) * 65536.0f)) & 0xFFFFu);
+  }
+
+  // In practice nobody comes unless asked: every 4 s it asks for ten of the next type.
+  GW_BODY void callCompany(InputRecord& input, uint32_t every_ticks) const {
+    const uint32_t tick = v.master->tick;
+    if (v.tables->mode != Mode::practice || tick % 240 >= every_ticks) return;
+    const uint32_t type = tick / 240 % v.tables->rules.enemyTypeCount;
+    input.buttons |= uint16_t(kButtonSpawn | type << kSpawnTypeShift | kTenOfThem << kSpawnCountShift);
   }
 
   // Uniform in -1..1, the same for the whole tick.
@@ -107,6 +116,7 @@ struct Novice : Bot<Search> {
     const bool crowded = close > 30 || (m.frameTime_us > 60000 && close >= 5);
     const Uint4 coin = philox(m.seed, {m.tick, 1, kPurposeAutopilot, 0});
     if (crowded && (coin.x & 1u)) input.buttons |= kButtonFlush;
+    this->callCompany(input, kEvery_ticks);
     return input;
   }
 };
@@ -142,6 +152,7 @@ struct Expert : Bot<Search> {
     aim(field, input);
     const bool trapped = worst < -12.0f && field.close >= 5;
     if (field.close >= 14 || trapped || (m.frameTime_us > 70000 && field.close >= 4)) input.buttons |= kButtonFlush;
+    this->callCompany(input, kEvery_ticks);
     return input;
   }
 

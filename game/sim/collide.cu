@@ -20,10 +20,6 @@ namespace {
 // Gathers compare rounded distances: a margin far above a rounding error, far below anything visible.
 constexpr float kMargin_m = 0.01f;
 
-GW_FN bool isAnnounced(const View& v, uint32_t id) {
-  return v.master->tick - v.birthTick[id] < v.tables->rules.world.announced_ticks;
-}
-
 GW_FN bool canBeHit(const View& v, uint32_t id) {
   return v.nextForceEnergy[id].w > 0.0f && v.state[id].x != uint32_t(State::dead) && !isAnnounced(v, id);
 }
@@ -145,7 +141,8 @@ struct Suffer {
     const float distance = length(to.x - ship.x, to.y - ship.y);
     const bool weak = rules.energy <= r.ship.weakEnergy;
     uint32_t fate = 0;
-    if (m.blast && (from.id == m.blastId || (weak && distance <= r.ship.blast_m))) fate = kFlagBlasted;
+    if (m.blast != kBlastNone && (from.id == m.blastId || (weak && distance <= r.ship.blast_m))) fate = kFlagBlasted;
+    if (m.blast == kBlastAll) fate = kFlagBlasted;
     if (fate == 0 && m.flushRadius_m > 0.0f &&
         length(to.x - m.flush_x, to.y - m.flush_y) <= m.flushRadius_m + rules.halfWidth_m) {
       fate = kFlagFlushed;

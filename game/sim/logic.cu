@@ -1,8 +1,7 @@
 // Logic: the master thread. One item, O(1): it never loops over entities, only over rules and commands.
-#include "game/sim/spawn_patterns.h"
 #include "game/sim/stages.h"
+#include "game/sim/waves.h"
 #include "gpu/exact_math.h"
-#include "gpu/philox.h"
 
 namespace gw::GW_DEVICE {
 namespace {
@@ -29,8 +28,8 @@ struct MasterThread {
     const Totals last = m.totals;
     count(m, r, last);
     suffer(m, s, r, last);
-    if (m.frameTime_us > r.budget.limit_us) {
-      m.over = uint32_t(Ending::frameRate);
+    m.over = uint32_t(endingOf(m, r, last));
+    if (m.over) {
       m.totals.contact = 0;
       s.overSounds = 1;
       return;
@@ -40,7 +39,7 @@ struct MasterThread {
     fly(m, r, s.input);
     fire(m, s, r, s.input, last);
     flush(m, s, r, s.input);
-    waves(m, s, r, last);
+    Waves{m, s, *v.tables, last}.run();
     m.input = s.input;
   }
 
@@ -79,14 +78,38 @@ struct MasterThread {
     if (m.ship.untouchable_ticks > 0) --m.ship.untouchable_ticks;
     if (last.contact == 0) return;
     const uint32_t cost = uint32_t(last.contact >> 32), who = ~uint32_t(last.contact);
-    m.frameTime_us += cost;
+    charge(m, r, cost);
     m.ship.untouchable_ticks = r.ship.untouchable_ticks;
-    m.blast = 1;
+    m.blast = kBlastNear;
     m.blastId = who;
     ++m.contacts;
     s.contactSounds = 1;
     s.contactType = v.cells[v.cellOf[who]].type;
     s.contactCost_us = cost;
+  }
+
+  // Frame time, or the clock; practice has no end.
+  GW_BODY void charge(Master& m, const Rules& r, uint32_t cost_us) const {
+    if (v.tables->mode == Mode::deadline) {
+      m.clock_ticks -= smaller(m.clock_ticks, cost_us * r.deadline.contactTicks_per_ms / 1000);
+    } else {
+      m.frameTime_us += cost_us;
+    }
+    if (v.tables->mode == Mode::practice) m.frameTime_us = smaller(m.frameTime_us, r.budget.limit_us);
+  }
+
+  GW_BODY Ending endingOf(Master& m, const Rules& r, const Totals& last) const {
+    if (m.frameTime_us > r.budget.limit_us) return Ending::frameRate;
+    if (v.tables->mode == Mode::deadline) {
+      if (m.clock_ticks == 0) return Ending::timeUp;
+      --m.clock_ticks;
+    }
+    if (v.tables->mode == Mode::swarm && m.tick > 1) {
+      uint32_t enemies = 0;
+      for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) enemies += last.occupied[t];
+      if (enemies == last.dying) return Ending::cleared;
+    }
+    return Ending::none;
   }
 
   GW_BODY void fly(Master& m, const Rules& r, InputRecord input) const {
@@ -145,75 +168,6 @@ struct MasterThread {
     m.flushRadius_m = r.flush.speed_mps * kTick_s;
     m.ship.untouchable_ticks = larger(m.ship.untouchable_ticks, r.flush.untouchable_ticks);
     s.flushSounds = 1;
-  }
-
-  GW_BODY void waves(Master& m, TickScratch& s, const Rules& r, const Totals& last) const {
-    uint32_t alive = 0;
-    for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) alive += last.occupied[t];
-    uint32_t room = v.tables->limits.enemies - smaller(v.tables->limits.enemies, alive);
-
-    const uint32_t next_ticks =
-        m.wave < r.waveCount ? r.waves[m.wave].at_ticks : r.endless.from_ticks + m.endless * r.endless.every_ticks;
-    // Nobody waits: an empty field brings the next wave early, and pays for the time saved.
-    const bool quiet = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming == 0;
-    m.idle_ticks = quiet ? m.idle_ticks + 1 : 0;
-    if (m.idle_ticks >= r.idle.wait_ticks && next_ticks > m.waveClock_ticks) {
-      m.score += uint64_t(r.idle.pays) * m.multiplierTenths * (next_ticks - m.waveClock_ticks) / (10 * kTicksPerSecond);
-      m.waveClock_ticks = next_ticks;
-      m.idle_ticks = 0;
-    }
-    if (m.waveClock_ticks >= next_ticks) {
-      if (m.wave < r.waveCount) {
-        const Wave& wave = r.waves[m.wave++];
-        for (uint32_t g = 0; g < wave.groupCount; ++g) {
-          group(m, s, wave.groups[g].type, wave.groups[g].count, wave.groups[g].pattern, room);
-        }
-      } else {
-        endlessWave(m, s, r, room);
-      }
-      s.waveSounds = 1;
-    }
-    ++m.waveClock_ticks;
-  }
-
-  GW_BODY void endlessWave(Master& m, TickScratch& s, const Rules& r, uint32_t& room) const {
-    ++m.endless;  // the k of the rules, from 1
-    m.endlessPoints = smaller(m.endlessPoints * r.endless.growth, 1.0e6f);
-    const uint32_t groups = m.endless % 3 + 1;
-    uint32_t chances = 0;
-    for (uint32_t t = 0; t < r.enemyTypeCount; ++t) chances += r.endless.chance_percent[t];
-    for (uint32_t g = 0; g < groups; ++g) {
-      const Uint4 dice = philox(m.seed, {m.tick, g, kPurposeEndless, 0});
-      uint32_t pick = chances ? dice.x % chances : 0, type = 0;
-      while (type + 1 < r.enemyTypeCount && pick >= r.endless.chance_percent[type]) {
-        pick -= r.endless.chance_percent[type++];
-      }
-      const float count = clamp(m.endlessPoints / (float(groups) * r.endless.price[type]), 1.0f, 1.0e6f);
-      group(m, s, type, uint32_t(count), Pattern(dice.y % uint32_t(Pattern::count)), room);
-    }
-  }
-
-  GW_BODY void group(Master& m, TickScratch& s, uint32_t type, uint32_t count, Pattern pattern, uint32_t& room) const {
-    Command born;
-    born.type = type;
-    born.count = count;
-    born.pattern = pattern;
-    born.x = m.ship.x;
-    born.y = m.ship.y;
-    born.angle_rad = unitFloat(philox(m.seed, {m.tick, s.commandCount, kPurposeCommand, 0}).x) * kTwoPi;
-    room -= order(m, s, born, room);
-  }
-
-  // Appends the command, cut to what fits; the rest is counted as refused. Returns how many were accepted.
-  GW_BODY uint32_t order(Master& m, TickScratch& s, Command command, uint32_t room) const {
-    const uint32_t accepted = s.commandCount < kMaxCommands ? smaller(command.count, room) : 0;
-    m.refused += command.count - accepted;
-    if (accepted == 0) return 0;
-    command.count = accepted;
-    command.firstBirth = s.births;
-    s.births += accepted;
-    s.commands[s.commandCount++] = command;
-    return accepted;
   }
 };
 

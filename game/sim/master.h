@@ -34,6 +34,9 @@ struct Tally {
   Edges edges;
 };
 
+// Who dies without score.
+enum Blast : uint32_t { kBlastNone, kBlastNear, kBlastAll };
+
 struct Ship {
   float x = 0, y = 0, previous_x = 0, previous_y = 0;  // m
   float velocity_x = 0, velocity_y = 0;                // m/s
@@ -56,7 +59,7 @@ struct Master {
   uint32_t flushes = 0;
   uint32_t flushScores = 0;                           // thresholds of Rules::Flush passed
   float flush_x = 0, flush_y = 0, flushRadius_m = 0;  // radius 0: none running
-  uint32_t blast = 0;                                 // 1 in the tick after a contact
+  uint32_t blast = 0;                                 // a Blast, in the tick after a contact
   uint32_t blastId = kNobody;                         // who touched
   uint32_t wave = 0;                                  // rows of the wave table started
   uint32_t waveClock_ticks = 0;

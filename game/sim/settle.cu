@@ -91,8 +91,7 @@ struct SumUp {
     if (magnitude(dx) <= r.idle.halfWidth_m && magnitude(dy) <= r.idle.halfHeight_m) {
       bump(s, wordOf(offsetof(Totals, inView)));
     }
-    const bool announced = v.master->tick - v.birthTick[cell.id] < r.world.announced_ticks;
-    if (announced || state.x == uint32_t(State::attacking)) bump(s, wordOf(offsetof(Totals, coming)));
+    if (isAnnounced(v, cell.id) || state.x == uint32_t(State::attacking)) bump(s, wordOf(offsetof(Totals, coming)));
   }
 };
 

@@ -9,6 +9,8 @@ namespace gw::GW_DEVICE {
 
 inline constexpr float kWallMargin_m = 1.5f;  // births keep this far from the walls
 
+inline constexpr uint32_t kRainTries = 16;  // a place clear of the ship is found with odds of 1 - 1e-13 in play
+
 // Folds a coordinate that lies past a wall back inside.
 GW_FN float folded(float value, float size) {
   const float low = kWallMargin_m, high = size - kWallMargin_m;
@@ -77,10 +79,18 @@ GW_FN Float2 patternPlace(const Command& c, uint32_t k, float u, float w, const 
 // Inside the world, clear of the ship.
 GW_FN Float2 birthPlace(const Command& c, uint32_t k, uint64_t seed, uint32_t tick, uint32_t command,
                         const Tables& tables) {
-  const Uint4 dice = philox(seed, {tick, command, kPurposePlace, k});
-  const Float2 wished = patternPlace(c, k, unitFloat(dice.x), unitFloat(dice.y), tables.limits);
-  const Float2 inside = {folded(wished.x, tables.limits.width_m), folded(wished.y, tables.limits.height_m)};
-  return cleared(inside, c.x, c.y, tables.limits, tables.rules.world.spawnClearance_m);
+  const float clearance_m =
+      tables.mode == Mode::swarm ? tables.rules.swarm.clearance_m : tables.rules.world.spawnClearance_m;
+  Float2 inside{};
+  // Rain that would fall too near falls elsewhere; the other patterns keep their shape.
+  const uint32_t tries = c.pattern == Pattern::rain ? kRainTries : 1;
+  for (uint32_t attempt = 0; attempt < tries; ++attempt) {
+    const Uint4 dice = philox(seed, {tick, command | attempt << 16, kPurposePlace, k});
+    const Float2 wished = patternPlace(c, k, unitFloat(dice.x), unitFloat(dice.y), tables.limits);
+    inside = {folded(wished.x, tables.limits.width_m), folded(wished.y, tables.limits.height_m)};
+    if (length(inside.x - c.x, inside.y - c.y) >= clearance_m) return inside;
+  }
+  return cleared(inside, c.x, c.y, tables.limits, clearance_m);
 }
 
 }  // namespace gw::GW_DEVICE

@@ -44,7 +44,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   choiceTime = Buffer<float>(queue, n);
   for (auto* words : {&birthTick, &target, &choice, &chosenBy, &spent, &event}) *words = Buffer<uint32_t>(queue, n);
   pushSum = Buffer<uint64_t>(queue, 2 * size_t(n));
-  for (auto* words : {&births, &hashes}) *words = Buffer<uint64_t>(queue, n);
+  for (auto* words : {&births, &hashes, &threat}) *words = Buffer<uint64_t>(queue, n);
 
   std::vector<Cell> empty(n);
   std::vector<uint32_t> own(n);
@@ -75,6 +75,8 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   start.frameTime_us = config.rules.budget.start_us;
   start.flushes = config.rules.flush.start;
   start.endlessPoints = config.rules.endless.points;
+  if (config.mode == Mode::deadline) start.clock_ticks = config.rules.deadline.clock_ticks;
+  if (config.mode == Mode::swarm) start.multiplierTenths = config.rules.swarm.multiplierTenths;
   master.upload(&start, 1);
 
   grid_.rebuild(queue, cells[0].data(), cellOf.data());
@@ -112,6 +114,7 @@ View GameState::view(uint32_t parity) const {
   v.spent = spent.data();
   v.event = event.data();
   v.pushSum = pushSum.data();
+  v.threat = threat.data();
   v.hashes = hashes.data();
   v.capacity = limits_.capacity;
   v.broadPhase = broadPhase_;

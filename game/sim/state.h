@@ -54,6 +54,7 @@ struct View {
   uint32_t* spent;     // 1: the shot's hit was taken
   uint32_t* event;     // EntityEvent bits
   uint64_t* pushSum;   // [2 * id], [2 * id + 1]: x and y of the push, in fixed point, as two's complement
+  uint64_t* threat;    // the nearest shot that comes: ~(squared distance's bits << 32 | id); 0: none
   uint64_t* hashes;    // by cell
 
   uint32_t capacity;
@@ -82,6 +83,11 @@ void withSearch(const View& view, const Launch& launch) {
 
 GW_FN bool isEnemy(uint32_t type) {
   return type < kMaxEnemyTypes;
+}
+
+// Harmless and untouchable: it only shows where it will be.
+GW_FN bool isAnnounced(const View& v, uint32_t id) {
+  return v.master->tick - v.birthTick[id] < v.tables->rules.world.announced_ticks;
 }
 
 // Distances of an enemy's type from its middle.
@@ -113,7 +119,7 @@ class GameState {
   Buffer<Float2> push;
   Buffer<uint32_t> birthTick, target, choice, chosenBy, spent, event;
   Buffer<float> choiceTime;
-  Buffer<uint64_t> births, hashes, pushSum;
+  Buffer<uint64_t> births, hashes, pushSum, threat;
 
  private:
   Limits limits_;

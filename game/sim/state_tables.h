@@ -106,6 +106,9 @@ constexpr bool hasEdge(Machine machine, State from, State to) {
   return false;
 }
 
+// In these states group and tricky look for their own kind: no other row or steering asks for it.
+inline constexpr uint32_t kLooksAround = in(State::wandering, State::grouping, State::attacking);
+
 // How often each transition was taken: by machine, state left, state entered.
 struct Edges {
   uint32_t taken[kMachines][kStates][kStates] = {};

@@ -1,6 +1,10 @@
 // Think: each enemy runs its state machine and writes its state and steering force; each bit looks for the
 // ship. Reads the front of force + energy and direction + mass, writes the back, for every living entity.
+//
+// In two passes: warn, in which the few shots tell the many enemies ahead of them that they come; and think.
+#include "game/sim/behaviour_group.h"
 #include "game/sim/behaviour_kamikaze.h"
+#include "game/sim/behaviour_tricky.h"
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
 
@@ -9,9 +13,34 @@ namespace {
 
 constexpr float kBitDrag = 0.94f;  // share of its velocity that a drifting bit keeps per tick
 
+// One item: one cell; works for shots. Each enemy keeps the nearest shot that would hit or graze it.
+template <class Search>
+struct Warn {
+  View v;
+  Search search;
+
+  GW_BODY void operator()(uint32_t i) const {
+    const Cell shot = v.cells[i];
+    if (shot.type != kTypeShot || v.master->over) return;
+    const Rules& r = v.tables->rules;
+    const Float4 flight = v.directionMass[shot.id];
+    search.around(i, shot.x, shot.y, r.steering.threat_m, [&](const Cell& other, uint32_t, float dx, float dy) {
+      if (!isEnemy(other.type) || r.enemies[other.type].machine == Machine::kamikaze) return;
+      if (flight.x * dx + flight.y * dy <= 0.0f) return;  // behind it
+      const float across = magnitude(flight.x * dy - flight.y * dx);
+      if (across > reachOf(r.enemies[other.type]) + r.steering.threatMargin_m) return;
+      // Squared distances are not negative, so their bits are ordered as they are.
+      const uint64_t turn = uint64_t(bitsOf(dx * dx + dy * dy)) << 32 | shot.id;
+      atomicRaiseTo(v.threat[other.id], ~turn);
+    });
+  }
+};
+
 // One item: one cell.
+template <class Search>
 struct Think {
   View v;
+  Search search;
 
   GW_BODY void operator()(uint32_t i) const {
     const Cell cell = v.cells[i];
@@ -21,18 +50,20 @@ struct Think {
     if (v.master->over) return;
     v.event[cell.id] = 0;
     if (isEnemy(cell.type)) {
-      enemy(cell);
+      enemy(i, cell);
     } else if (cell.type == kTypeBit) {
       bit(cell);
     }
   }
 
  private:
-  GW_BODY void enemy(const Cell& cell) const {
+  GW_BODY void enemy(uint32_t i, const Cell& cell) const {
     const Master& m = *v.master;
     const Rules& r = v.tables->rules;
     const EnemyRules& rules = r.enemies[cell.type];
-    if (m.tick - v.birthTick[cell.id] < r.world.announced_ticks) return;  // announced: it only stands there
+    const uint64_t threat = v.threat[cell.id];
+    v.threat[cell.id] = 0;
+    if (isAnnounced(v, cell.id)) return;  // it only stands there
 
     const Float4 force = v.forceEnergy[cell.id], direction = v.directionMass[cell.id];
     const Float4 motion = v.velocityPrevious[cell.id];
@@ -43,21 +74,87 @@ struct Think {
     self.shipDistance_m = length(self.ship_x, self.ship_y);
 
     const State before = State(state.x);
-    const uint32_t conditions = kamikazeConditions(self, state.w, rules, r.steering.sightLost);
+    if (before == State::avoiding && state.y > 0) --state.y;
+    if (state.z > 0) --state.z;
+    Company company;
+    const bool looks = rules.machine != Machine::kamikaze && (kLooksAround >> uint32_t(before) & 1u) != 0;
+    if (looks) lookAround(i, cell, rules.vision_m, company);
+
+    const uint32_t conditions = conditionsOf(self, state, rules, looks, company.count, threat);
     const State after = nextState(v.tables->machines[uint32_t(rules.machine)], before, conditions);
     if (after == State::checkingEnergy) state.w &= ~uint32_t(kFlagHit);
+    if (after == State::avoiding && before != State::avoiding) {
+      state.y = r.steering.avoid_ticks;
+      state.z = rules.avoidCooldown_ticks;
+      const uint32_t shot = ~uint32_t(threat);
+      const Cell from = v.cells[v.cellOf[shot]];
+      const Float4 flight = v.directionMass[shot];
+      const Float2 way = awayFromPath({flight.x, flight.y}, {cell.x - from.x, cell.y - from.y}, cell.id);
+      self.direction_x = way.x;
+      self.direction_y = way.y;
+    }
     state.x = uint32_t(after);
     v.state[cell.id] = state;
     if (after != before) {
-      v.event[cell.id] =
-          kEventTransition | uint32_t(before) << kEventFromShift | (after == State::dead ? uint32_t(kEventDied) : 0u);
+      const uint32_t died = after == State::dead ? uint32_t(kEventDied) : 0u;
+      v.event[cell.id] = kEventTransition | died | uint32_t(before) << kEventFromShift;
     }
     if (after == State::dead) return;
 
-    const Wish wish = kamikazeWish(self, after, rules, r.steering, m.seed, m.tick);
-    const Float2 steer = steeringForce(self, wish, r.steering.response);
-    v.nextForceEnergy[cell.id] = {steer.x, steer.y, 0.0f, force.w};
+    const Wish wish = wishOf(self, after, company, rules);
+    const float response = after == State::avoiding ? r.steering.avoidResponse : r.steering.response;
+    const Float2 steer = steeringForce(self, wish, response);
+    float energy = force.w;
+    if (after == State::escaping) energy = smaller(energy + r.steering.recover_per_s * kTick_s, rules.energy);
+    v.nextForceEnergy[cell.id] = {steer.x, steer.y, 0.0f, energy};
     v.nextDirectionMass[cell.id] = {wish.direction_x, wish.direction_y, direction.z, 0.0f};
+  }
+
+  // What died has left its cell in this tick's spawn: all that is found lives.
+  GW_BODY void lookAround(uint32_t i, const Cell& cell, float vision_m, Company& company) const {
+    search.around(i, cell.x, cell.y, vision_m, [&](const Cell& other, uint32_t, float dx, float dy) {
+      if (other.type != cell.type || other.id == cell.id) return;
+      const Float4 theirs = v.directionMass[other.id];
+      company.add(dx, dy, theirs.x, theirs.y);
+    });
+  }
+
+  GW_BODY uint32_t conditionsOf(const Self& self, const Uint4& state, const EnemyRules& rules, bool looked,
+                                uint32_t company, uint64_t threat) const {
+    const Rules::Steering& steering = v.tables->rules.steering;
+    const bool all = v.master->allAttack != 0;
+    uint32_t conditions = 0;
+    if (state.w & kFlagHit) conditions |= kDamaged;
+    if (self.energy <= 0.0f) conditions |= kEnergyGone;
+    if (self.energy < rules.energy * steering.escapeBelow) conditions |= kEnergyLow;
+    if (self.energy >= rules.energy * steering.recoveredAt) conditions |= kRecovered;
+    if (state.y == 0) conditions |= kAvoided;
+    if (threat != 0 && state.z == 0) conditions |= kShotComing;
+    if (all || self.shipDistance_m <= rules.sight_m) conditions |= kSeesShip;
+    if (!all && self.shipDistance_m > rules.sight_m * steering.sightLost) conditions |= kLostShip;
+    if (looked) conditions |= company > 0 ? kOwnKind : kAlone;
+    return conditions;
+  }
+
+  GW_BODY Wish wishOf(const Self& self, State state, const Company& company, const EnemyRules& rules) const {
+    const Master& m = *v.master;
+    const Rules::Steering& steering = v.tables->rules.steering;
+    switch (state) {
+      case State::attacking:
+        if (rules.machine == Machine::kamikaze) return kamikazeAttack(self, rules, steering);
+        if (rules.machine == Machine::group) return groupAttack(self, company, rules, steering);
+        return trickyAttack(self, rules, steering);
+      case State::grouping:
+        return flyInGroup(self, company, rules, steering, m.seed, m.tick);
+      case State::avoiding:
+        return avoid(self, steering);
+      case State::escaping:
+        return escape(self, rules, steering, v.tables->limits);
+      case State::checkingEnergy:
+        return coast(self);
+      default:
+        return wander(self, rules, steering, m.seed, m.tick);
+    }
   }
 
   // A bit near the ship flies to it, and is taken when it arrives.
@@ -82,7 +179,11 @@ struct Think {
 }  // namespace
 
 void think(Queue& queue, const View& view) {
-  forEach(queue, Count{view.capacity}, Think{view});
+  const Count all{view.capacity};
+  withSearch(view, [&](auto search) {
+    forEach(queue, all, Warn<decltype(search)>{view, search});
+    forEach(queue, all, Think<decltype(search)>{view, search});
+  });
 }
 
 }  // namespace gw::GW_DEVICE
