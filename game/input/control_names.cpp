@@ -106,7 +106,7 @@ std::string controlLabel(Control control) {
 std::string controlLabels(const Bindings& bindings, InputDevice device, Action action) {
   std::string text;
   for (const uint16_t code : bindings.codes(device, action)) {
-    if (!text.empty()) text += " / ";
+    if (!text.empty()) text += ", ";
     text += controlLabel({device, code});
   }
   return text.empty() ? "-" : text;

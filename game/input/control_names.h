@@ -17,7 +17,7 @@ std::optional<Control> controlFromName(InputDevice device, std::string_view name
 
 // Short, for the screens: "W", "LMB", "L SHIFT", "LB".
 std::string controlLabel(Control control);
-// All of an action's controls on a device, e.g. "W / UP"; "-" when there is none.
+// All of an action's controls on a device, e.g. "W, UP"; "-" when there is none.
 std::string controlLabels(const Bindings& bindings, InputDevice device, Action action);
 
 }  // namespace gw

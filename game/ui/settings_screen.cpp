@@ -81,7 +81,7 @@ void drawBindings(Canvas& canvas, const SettingsMenu& menu, const SettingsFrame&
     }
     std::string keys = controlLabels(bindings, InputDevice::keyboard, action);
     if (!bindings.codes(InputDevice::mouse, action).empty()) {
-      keys = (keys == "-" ? "" : keys + " / ") + controlLabels(bindings, InputDevice::mouse, action);
+      keys = (keys == "-" ? "" : keys + ", ") + controlLabels(bindings, InputDevice::mouse, action);
     }
     const auto cell = [&](const std::string& text, float x, float width) {
       canvas.text(fitted(canvas, text, 10, width), middle + x, y,

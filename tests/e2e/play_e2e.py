@@ -4,7 +4,6 @@
     play_e2e.py GPUWARS FOLDER      needs Xvfb, xdotool and ImageMagick's import; pictures stay in FOLDER
 """
 import json
-import os
 import shutil
 import signal
 import subprocess
@@ -12,66 +11,12 @@ import sys
 import time
 from pathlib import Path
 
-from program import Failures, run, skip, without_display
-
-SIZE = (1280, 720)
-
-
-class Screen:
-    """An X server of our own."""
-
-    def __init__(self, folder):
-        self.folder = folder
-        reader, writer = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24", "-nolisten", "tcp",
-             "-noreset"],
-            pass_fds=[writer], stderr=subprocess.DEVNULL)
-        os.close(writer)
-        with os.fdopen(reader) as answer:  # to the end of the line: the server dies of a pipe closed early
-            number = answer.readline().strip()
-        self.environment = {**without_display(), "DISPLAY": f":{number}", "SDL_VIDEODRIVER": "x11"}
-        for _ in range(100):  # the number comes before the door opens
-            answer = subprocess.run(["xdotool", "getdisplaygeometry"], env=self.environment,
-                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            if answer.returncode == 0:
-                break
-            time.sleep(0.1)
-
-    def keys(self, *arguments):
-        subprocess.run(["xdotool", *arguments], env=self.environment, check=True)
-
-    def picture(self, name=None):
-        """The screen's pixels; with a name they are kept as a PNG too."""
-        pixels = subprocess.run(["import", "-window", "root", "-depth", "8", "rgb:-"], env=self.environment,
-                                check=True, stdout=subprocess.PIPE).stdout
-        if name:
-            subprocess.run(["import", "-window", "root", str(self.folder / name)], env=self.environment, check=True)
-        return pixels
-
-    def wait_for(self, condition, seconds=60):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if condition(self.picture()):
-                return True
-            time.sleep(0.3)
-        return False
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait()
-
-
-def lit(pixels):
-    """How many bytes of the picture are bright."""
-    return sum(1 for byte in pixels[::7] if byte > 150)
+from program import Failures, run
+from screen import Screen, below_header, lit
 
 
 def main():
     program, folder = sys.argv[1], Path(sys.argv[2])
-    for tool in ("Xvfb", "xdotool", "import"):
-        if shutil.which(tool) is None:
-            skip(f"{tool} is not installed")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     failures = Failures()
@@ -101,8 +46,7 @@ def main():
         time.sleep(1)
         paused = screen.picture("pause.png")
         time.sleep(1)
-        header = SIZE[0] * 60 * 3  # but for the real frame rate, which is real
-        failures.check(screen.picture()[header:] == paused[header:], "nothing moves while paused")
+        failures.check(below_header(screen.picture()) == below_header(paused), "nothing moves while paused")
         screen.keys("key", "Escape")
         time.sleep(1)
         resumed = screen.picture("resumed.png")

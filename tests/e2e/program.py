@@ -1,4 +1,5 @@
 """Runs gpuwars as a user does, for the end-to-end tests."""
+import json
 import os
 import subprocess
 import sys
@@ -29,6 +30,18 @@ def run(program, *arguments, environment=None, timeout=300):
     result = subprocess.run([program, *map(str, arguments)], env=environment or without_display(), timeout=timeout,
                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     return result.returncode, result.stdout.decode(errors="replace"), result.stderr.decode(errors="replace")
+
+
+def saved_settings(path):
+    """A settings file as the game writes it: there every value of TOML is one of JSON too."""
+    sections = {}
+    for line in path.read_text().splitlines():
+        if line.startswith("["):
+            section = sections.setdefault(line.strip("[]"), {})
+        elif "=" in line:
+            key, value = line.split(" = ", 1)
+            section[key] = json.loads(value)
+    return sections
 
 
 def skip(reason):
