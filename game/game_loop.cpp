@@ -45,7 +45,7 @@ float aspectOf(PixelSize size) {
 }  // namespace
 
 GameLoop::GameLoop(const Options& options, const Settings& settings)
-    : fullscreen_(options.fullscreen || settings.fullscreen) {
+    : fullscreen_(options.fullscreen || settings.fullscreen), sound_(settings.sound), mute_(options.mute) {
   catchInterrupts();  // Ctrl-C closes the window, so that recordings are kept
   chooseDisplay();
   WindowOptions window;
@@ -71,12 +71,15 @@ GameLoop::~GameLoop() {
 
 void GameLoop::prepare(const std::filesystem::path& assets, uint32_t capacity, bool cuda) {
   view_ = std::make_unique<WorldView>(assets, capacity, cuda);
+  audio_ = std::make_unique<Audio>(assets, sound_, mute_);
 }
 
 void GameLoop::apply(const Settings& settings) {
   input_.setBindings(settings.bindings);
   input_.setDeadZones(settings.pad.moveDeadZone, settings.pad.aimDeadZone);
   if (settings.fullscreen != fullscreen_) context_->setFullscreen(fullscreen_ = settings.fullscreen);
+  audio_->setVolumes(settings.sound);
+  audio_->setMuted(settings.sound.muted);
 }
 
 bool GameLoop::beginFrame() {
@@ -87,6 +90,7 @@ bool GameLoop::beginFrame() {
     input_.handle(event);
   }
   if (input_.pressed(Action::fullscreen)) context_->setFullscreen(fullscreen_ = !fullscreen_);
+  if (input_.pressed(Action::mute)) audio_->setMuted(!audio_->muted());
   last_s_ = now_s_;
   now_s_ = clock_s();
   if (last_s_ == 0) last_s_ = now_s_;
@@ -99,6 +103,7 @@ void GameLoop::runTicks(Run& run, const Rules& rules, const InputSource& input) 
     InputRecord record;
     if (!input(record)) return;
     run.tick(record);
+    audio_->hear(run.last(), rules);
     if (run.last().contactType != kTypeNone && !run.over()) pacer_.withhold(rules.budget.hitStop_ms / 1000.0);
   }
 }
@@ -128,6 +133,10 @@ void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const Wo
   context_->swap();
   limitFrames();
   countFrame();
+}
+
+void GameLoop::updateSound(Scene scene) {
+  audio_->update(scene, float(now_s_ - last_s_));
 }
 
 void GameLoop::startAfresh(Run& run) {

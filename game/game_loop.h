@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "game/audio/audio.h"
 #include "game/camera.h"
 #include "game/command_line.h"
 #include "game/input/pad_devices.h"
@@ -24,7 +25,7 @@ class GameLoop {
   GameLoop(const Options& options, const Settings& settings);
   ~GameLoop();
 
-  // Loads what drawing needs, once, for simulations of this capacity.
+  // Loads what drawing and sound need, once, for simulations of this capacity.
   void prepare(const std::filesystem::path& assets, uint32_t capacity, bool cuda);
 
   // What the player chose anew, from the next frame on.
@@ -50,7 +51,11 @@ class GameLoop {
   void showCursor(bool on);
   void drawCrosshair(Canvas& canvas) const;
 
+  // What the frame sounds like; after the screen of this frame is known.
+  void updateSound(Scene scene);
+
   PlayerInput& input() { return input_; }
+  Audio& audio() { return *audio_; }
   TickPacer& pacer() { return pacer_; }
   double now_s() const { return now_s_; }
   double realFps() const { return realFps_; }
@@ -62,6 +67,7 @@ class GameLoop {
   std::unique_ptr<SdlContext> context_;
   std::unique_ptr<WorldView> view_;
   std::unique_ptr<FollowCamera> camera_;
+  std::unique_ptr<Audio> audio_;
   std::unique_ptr<PadDevices> pads_;
   PlayerInput input_;
   TickPacer pacer_;
@@ -69,7 +75,9 @@ class GameLoop {
   double nextFrame_s_ = 0, period_s_ = 1.0 / 60;
   double countedSince_s_ = 0, realFps_ = 0;
   uint32_t counted_ = 0;
-  bool fullscreen_ = false, cursorShown_ = true, closed_ = false;
+  bool fullscreen_ = false;
+  Settings::Sound sound_;  // until prepare()
+  bool mute_ = false, cursorShown_ = true, closed_ = false;
 };
 
 }  // namespace gw

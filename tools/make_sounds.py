@@ -150,12 +150,12 @@ def kill():
 
 
 def kill_heavy():
-    """The same note with weight: a fifth below the crunch, and a thump."""
+    """The same note with weight: a fourth below it, a crunch, and a thump. It is played down to an octave lower."""
     tone = sweep(saw(12), 0.5, 440, 440, 0.11)
-    fifth = sweep(saw(8), 0.5, note(-5), note(-5), 0.09)
+    fourth = sweep(saw(8), 0.5, note(-5), note(-5), 0.09)
     crunch = low_pass(noise(12, 0.3, 0.05), 0.35)
-    thump = sweep(SINE, 0.4, 300, 110, 0.09)
-    return finish(mix((0.8, tone), (0.35, fifth), (0.55, crunch), (0.9, thump)))
+    thump = sweep(SINE, 0.4, 520, 200, 0.06)
+    return finish(mix((1, tone), (0.3, fourth), (0.5, crunch), (0.5, thump)))
 
 
 def contact():

@@ -20,6 +20,19 @@ namespace gw {
 
 namespace {
 
+Scene sceneOf(Screen screen) {
+  switch (screen) {
+    case Screen::play:
+      return Scene::play;
+    case Screen::pause:
+      return Scene::pause;
+    case Screen::over:
+      return Scene::over;
+    default:
+      return Scene::title;
+  }
+}
+
 class PlaySession {
  public:
   explicit PlaySession(const Options& options)
@@ -66,6 +79,7 @@ class PlaySession {
     if (screen_ != before) changeScreen(before);
     if (before == Screen::play && screen_ == Screen::over) keepBest();
     loop_.showCursor(screen_ != Screen::play);
+    loop_.updateSound(sceneOf(screen_));
 
     const bool attracting = attract_ && (screen_ == Screen::title || screen_ == Screen::settings);
     if (attracting && run_->over()) startAttract();
@@ -105,6 +119,7 @@ class PlaySession {
   bool changeSettings(const MenuPresses& presses) {
     PlayerInput& keys = loop_.input();
     menu_->setFullscreen(loop_.fullscreen());
+    menu_->setMuted(loop_.audio().muted());
     if (const std::optional<Control> control = keys.heard()) menu_->hear(*control);
     menu_->press(presses, loop_.now_s());
     if (menu_->waiting() && !keys.listening()) keys.listen();
@@ -121,6 +136,7 @@ class PlaySession {
     }
     if (screen_ == Screen::settings) {
       settings_.fullscreen = loop_.fullscreen();
+      settings_.sound.muted = loop_.audio().muted();
       settingsBefore_ = settings_;
       menu_.emplace(settings_);
     }

@@ -60,7 +60,11 @@ class ReplaySession {
     if (leave || (toggle && ended())) return false;
     TickPacer& pacer = loop_.pacer();
     if (toggle) pacer.paused() ? pacer.resume() : pacer.pause();
-    while (!ended() && pacer.due()) tick();
+    loop_.updateSound(ended() ? Scene::over : pacer.paused() ? Scene::pause : Scene::play);
+    while (!ended() && pacer.due()) {
+      tick();
+      loop_.audio().hear(run_->last(), config_.rules);
+    }
     loop_.showCursor(pacer.paused() || ended());
     return true;
   }

@@ -23,8 +23,9 @@ class SettingsMenu {
   void hear(Control control);
   double waitsFor_s(double now_s) const { return waitsUntil_s_ - now_s; }
 
-  // The window was switched by its own key meanwhile.
+  // The window, or the sound, was switched by its own key meanwhile.
   void setFullscreen(bool on) { settings_.fullscreen = on; }
+  void setMuted(bool on) { settings_.sound.muted = on; }
 
   bool done() const { return done_; }
   const Settings& settings() const { return settings_; }
