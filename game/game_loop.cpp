@@ -78,8 +78,14 @@ void GameLoop::apply(const Settings& settings) {
   input_.setBindings(settings.bindings);
   input_.setDeadZones(settings.pad.moveDeadZone, settings.pad.aimDeadZone);
   if (settings.fullscreen != fullscreen_) context_->setFullscreen(fullscreen_ = settings.fullscreen);
-  audio_->setVolumes(settings.sound);
-  audio_->setMuted(settings.sound.muted);
+  if (settings.sound.muted != sound_.muted) mute(settings.sound.muted);
+  sound_ = settings.sound;
+  audio_->setVolumes(sound_);
+}
+
+void GameLoop::mute(bool on) {
+  audio_->setMuted(on);
+  sound_.muted = on;
 }
 
 bool GameLoop::beginFrame() {
@@ -90,7 +96,7 @@ bool GameLoop::beginFrame() {
     input_.handle(event);
   }
   if (input_.pressed(Action::fullscreen)) context_->setFullscreen(fullscreen_ = !fullscreen_);
-  if (input_.pressed(Action::mute)) audio_->setMuted(!audio_->muted());
+  if (input_.pressed(Action::mute)) mute(!audio_->muted());
   last_s_ = now_s_;
   now_s_ = clock_s();
   if (last_s_ == 0) last_s_ = now_s_;

@@ -31,6 +31,7 @@ class GameLoop {
   // What the player chose anew, from the next frame on.
   void apply(const Settings& settings);
   bool fullscreen() const { return fullscreen_; }
+  bool muted() const { return sound_.muted; }  // --mute is not the player's choice
 
   // Takes the events and the time of a new frame. False when the window was closed.
   bool beginFrame();
@@ -61,6 +62,7 @@ class GameLoop {
   double realFps() const { return realFps_; }
 
  private:
+  void mute(bool on);
   void limitFrames();
   void countFrame();
 
@@ -75,9 +77,9 @@ class GameLoop {
   double nextFrame_s_ = 0, period_s_ = 1.0 / 60;
   double countedSince_s_ = 0, realFps_ = 0;
   uint32_t counted_ = 0;
-  bool fullscreen_ = false;
-  Settings::Sound sound_;  // until prepare()
-  bool mute_ = false, cursorShown_ = true, closed_ = false;
+  Settings::Sound sound_;  // as the player chose, in the settings or by key
+  bool mute_ = false;      // --mute: holds until the player chooses
+  bool fullscreen_ = false, cursorShown_ = true, closed_ = false;
 };
 
 }  // namespace gw

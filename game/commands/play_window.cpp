@@ -119,7 +119,7 @@ class PlaySession {
   bool changeSettings(const MenuPresses& presses) {
     PlayerInput& keys = loop_.input();
     menu_->setFullscreen(loop_.fullscreen());
-    menu_->setMuted(loop_.audio().muted());
+    menu_->setMuted(loop_.muted());
     if (const std::optional<Control> control = keys.heard()) menu_->hear(*control);
     menu_->press(presses, loop_.now_s());
     if (menu_->waiting() && !keys.listening()) keys.listen();
@@ -136,7 +136,7 @@ class PlaySession {
     }
     if (screen_ == Screen::settings) {
       settings_.fullscreen = loop_.fullscreen();
-      settings_.sound.muted = loop_.audio().muted();
+      settings_.sound.muted = loop_.muted();
       settingsBefore_ = settings_;
       menu_.emplace(settings_);
     }
