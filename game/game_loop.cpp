@@ -45,7 +45,7 @@ float aspectOf(PixelSize size) {
 }  // namespace
 
 GameLoop::GameLoop(const Options& options, const Settings& settings)
-    : fullscreen_(options.fullscreen || settings.fullscreen), sound_(settings.sound), mute_(options.mute) {
+    : sound_(settings.sound), mute_(options.mute), fullscreen_(options.fullscreen || settings.fullscreen) {
   catchInterrupts();  // Ctrl-C closes the window, so that recordings are kept
   chooseDisplay();
   WindowOptions window;
