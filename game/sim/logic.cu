@@ -73,7 +73,7 @@ struct MasterThread {
 
   // One contact a tick, the costliest, then the lowest id.
   GW_BODY void suffer(Master& m, TickScratch& s, const Rules& r, const Totals& last) const {
-    m.blast = 0;
+    m.blast = kBlastNone;
     m.blastId = kNobody;
     if (m.ship.untouchable_ticks > 0) --m.ship.untouchable_ticks;
     if (last.contact == 0) return;

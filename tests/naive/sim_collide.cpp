@@ -47,7 +47,7 @@ float meetBox(Vector p, Vector d, float halfWidth, float halfHeight) {
 }
 
 bool canBeHit(const World& world, const Entity& e) {
-  return world.isEnemy(e) && e.energy > 0.0f && e.state != uint32_t(Kamikaze::dead) && !world.isAnnounced(e);
+  return world.isEnemy(e) && e.energy > 0.0f && e.state != uint32_t(Mind::dead) && !world.isAnnounced(e);
 }
 
 // How far a must go to be free of b, and which way.
@@ -112,7 +112,8 @@ void meetShip(World& world, Entity& e) {
   const bool weak = type.energy <= r.ship.weakEnergy;
   const float fromShip = lengthOf({e.x - m.ship.x, e.y - m.ship.y}),
               fromFlush = lengthOf({e.x - m.flush_x, e.y - m.flush_y});
-  if (m.blast && (e.id == m.blastId || (weak && fromShip <= r.ship.blast_m))) {
+  const bool blasted = m.blast == kBlastNear && (e.id == m.blastId || (weak && fromShip <= r.ship.blast_m));
+  if (blasted || m.blast == kBlastAll) {
     e.energy = 0.0f;
     e.flags |= kFlagHit | kFlagBlasted;
   } else if (m.flushRadius_m > 0.0f && fromFlush <= m.flushRadius_m + type.halfWidth_m) {
@@ -130,7 +131,7 @@ void meetShip(World& world, Entity& e) {
 Vector push(const World& world, const Entity& e) {
   int64_t x = 0, y = 0;
   for (const Entity& other : world.entities) {
-    if (!world.isEnemy(other) || other.id == e.id || other.state == uint32_t(Kamikaze::dead)) continue;
+    if (!world.isEnemy(other) || other.id == e.id || other.state == uint32_t(Mind::dead)) continue;
     const Vector deep =
         depth(world.rulesOf(e), world.rulesOf(other), {e.x - other.x, e.y - other.y}, e.id < other.id ? 1.0f : -1.0f);
     const float share = other.mass / (e.mass + other.mass) * 30.0f;
@@ -188,7 +189,7 @@ void collide(World& world) {
   }
   std::vector<uint32_t> spent;
   for (Entity& e : world.entities) {
-    if (!world.isEnemy(e) || e.state == uint32_t(Kamikaze::dead)) continue;
+    if (!world.isEnemy(e) || e.state == uint32_t(Mind::dead)) continue;
     std::sort(chosenBy[e.id].begin(), chosenBy[e.id].end());
     suffer(world, e, chosenBy[e.id], spent);
     meetShip(world, e);

@@ -23,7 +23,7 @@ void turnAtWalls(float& place, float& velocity, float& direction, float half, fl
 void moveEnemy(const World& world, Entity& e) {
   e.previous_x = e.x;
   e.previous_y = e.y;
-  if (e.state == uint32_t(Kamikaze::dead)) {
+  if (e.state == uint32_t(Mind::dead)) {
     e.velocity_x = e.velocity_y = 0.0f;
     return;
   }

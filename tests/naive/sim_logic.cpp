@@ -41,14 +41,38 @@ void scoreLastTick(World& world) {
 void sufferContact(World& world) {
   Master& m = world.master;
   if (m.ship.untouchable_ticks > 0) --m.ship.untouchable_ticks;
-  m.blast = 0;
+  m.blast = kBlastNone;
   m.blastId = kNobody;
   if (m.totals.contact == 0) return;
-  m.blast = 1;
+  m.blast = kBlastNear;
   m.blastId = ~uint32_t(m.totals.contact);
-  m.frameTime_us += uint32_t(m.totals.contact >> 32);
+  const uint32_t cost_us = uint32_t(m.totals.contact >> 32);
+  if (world.mode == Mode::deadline) {
+    const uint32_t ticks = cost_us * world.rules.deadline.contactTicks_per_ms / 1000;
+    m.clock_ticks = m.clock_ticks > ticks ? m.clock_ticks - ticks : 0;
+  } else {
+    m.frameTime_us += cost_us;
+  }
+  if (world.mode == Mode::practice) m.frameTime_us = std::min(m.frameTime_us, world.rules.budget.limit_us);
   m.ship.untouchable_ticks = world.rules.ship.untouchable_ticks;
   ++m.contacts;
+}
+
+uint32_t enemiesOf(const Totals& totals) {
+  uint32_t enemies = 0;
+  for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) enemies += totals.occupied[t];
+  return enemies;
+}
+
+Ending endOf(World& world) {
+  Master& m = world.master;
+  if (m.frameTime_us > world.rules.budget.limit_us) return Ending::frameRate;
+  if (world.mode == Mode::deadline && m.clock_ticks-- == 0) {
+    m.clock_ticks = 0;
+    return Ending::timeUp;
+  }
+  const bool cleared = world.mode == Mode::swarm && m.tick > 1 && enemiesOf(m.totals) == m.totals.dying;
+  return cleared ? Ending::cleared : Ending::none;
 }
 
 void moveAxis(float& place, float& previous, float& velocity, float wish, float size, const Rules& r) {
@@ -151,23 +175,68 @@ void bringEndless(World& world, uint32_t& room) {
   }
 }
 
+uint32_t roomFor(const World& world, const Totals& last) {
+  const uint32_t alive = enemiesOf(last);
+  return alive < world.limits.enemies ? world.limits.enemies - alive : 0;
+}
+
+// All in the first tick, each type by its share of points over its price; what is left over is of the first.
+void bringSwarm(World& world, const Totals& last) {
+  Master& m = world.master;
+  const Rules& r = world.rules;
+  if (m.tick > 1) {
+    const uint32_t alive = enemiesOf(last) - last.dying;
+    if (float(alive) <= float(world.limits.enemies) * r.swarm.attackShare) m.allAttack = 1;
+    return;
+  }
+  uint32_t room = roomFor(world, last), left = room;
+  float sum = 0.0f;
+  std::vector<uint32_t> counts;
+  for (uint32_t t = 0; t < r.enemyTypeCount; ++t) sum += float(r.endless.chance_percent[t]) / r.endless.price[t];
+  for (uint32_t t = 0; t < r.enemyTypeCount; ++t) {
+    const float share = float(r.endless.chance_percent[t]) / r.endless.price[t] / sum;
+    counts.push_back(std::min(left, uint32_t(float(room) * share)));
+    left -= counts.back();
+  }
+  counts[0] += left;
+  for (uint32_t t = 0; t < r.enemyTypeCount; ++t) {
+    if (counts[t]) bringGroup(world, t, counts[t], Pattern::rain, room);
+  }
+  m.wave = 1;
+}
+
+// The press of a button brings what its other bits say.
+void bringAsked(World& world, const Totals& last) {
+  Master& m = world.master;
+  const auto goesDown = [&](uint32_t button) {
+    return (world.input.buttons & button) != 0 && (m.input.buttons & button) == 0;
+  };
+  if (goesDown(kButtonClear)) m.blast = kBlastAll;
+  const uint32_t type = (world.input.buttons >> 4) % 8, number = (world.input.buttons >> 8) % 16;
+  if (!goesDown(kButtonSpawn) || type >= world.rules.enemyTypeCount || number >= std::size(kPracticeCounts)) return;
+  uint32_t room = roomFor(world, last);
+  bringGroup(world, type, kPracticeCounts[number], Pattern(m.wave % uint32_t(Pattern::count)), room);
+  ++m.wave;
+}
+
 void bringWaves(World& world, const Totals& last) {
   Master& m = world.master;
   const Rules& r = world.rules;
-  uint32_t alive = 0;
-  for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) alive += last.occupied[t];
-  uint32_t room = alive < world.limits.enemies ? world.limits.enemies - alive : 0;
+  const uint32_t rate = world.mode == Mode::deadline ? r.deadline.waveRate : 1;
+  uint32_t room = roomFor(world, last);
   const bool scripted = m.wave < r.waveCount;
   const uint32_t due = scripted ? r.waves[m.wave].at_ticks : r.endless.from_ticks + m.endless * r.endless.every_ticks;
   const bool idle = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming == 0;
   m.idle_ticks = idle ? m.idle_ticks + 1 : 0;
   if (m.idle_ticks >= r.idle.wait_ticks && m.waveClock_ticks < due) {
-    const uint32_t saved_ticks = due - m.waveClock_ticks;
+    const uint32_t saved_ticks = (due - m.waveClock_ticks) / rate;
     m.score += uint64_t(r.idle.pays) * m.multiplierTenths * saved_ticks / 600;
     m.waveClock_ticks = due;
     m.idle_ticks = 0;
   }
-  if (m.waveClock_ticks++ < due) return;
+  const bool begins = m.waveClock_ticks >= due;
+  m.waveClock_ticks += rate;
+  if (!begins) return;
   if (!scripted) return bringEndless(world, room);
   const Wave& wave = r.waves[m.wave++];
   for (uint32_t g = 0; g < wave.groupCount; ++g) {
@@ -184,8 +253,8 @@ void logic(World& world) {
   ++m.tick;
   scoreLastTick(world);
   sufferContact(world);
-  if (m.frameTime_us > world.rules.budget.limit_us) {
-    m.over = 1;
+  m.over = uint32_t(endOf(world));
+  if (m.over) {
     m.totals.contact = 0;
     return;
   }
@@ -194,7 +263,13 @@ void logic(World& world) {
   flyShip(world);
   fireShots(world, last);
   growFlush(world);
-  bringWaves(world, last);
+  if (world.mode == Mode::swarm) {
+    bringSwarm(world, last);
+  } else if (world.mode == Mode::practice) {
+    bringAsked(world, last);
+  } else {
+    bringWaves(world, last);
+  }
   m.input = world.input;
 }
 

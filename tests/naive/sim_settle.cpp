@@ -14,7 +14,7 @@ void settle(World& world) {
     ++t.occupied[e.type];
     if (!world.isEnemy(e)) continue;
     const float dx = e.x - ship.x, dy = e.y - ship.y;
-    if (e.state == uint32_t(Kamikaze::dead)) {
+    if (e.state == uint32_t(Mind::dead)) {
       ++t.dying;
       if (!e.died) continue;
       if (e.flags & kFlagBlasted) continue;
@@ -26,7 +26,7 @@ void settle(World& world) {
       continue;
     }
     if (std::fabs(dx) <= world.rules.idle.halfWidth_m && std::fabs(dy) <= world.rules.idle.halfHeight_m) ++t.inView;
-    if (world.isAnnounced(e) || e.state == uint32_t(Kamikaze::attacking)) ++t.coming;
+    if (world.isAnnounced(e) || e.state == uint32_t(Mind::attacking)) ++t.coming;
   }
   std::erase_if(world.entities, [](const Entity& e) { return e.gone; });
 }

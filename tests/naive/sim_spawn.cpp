@@ -104,11 +104,16 @@ EntityRecord bit(const World& world, const Entity& parent, uint32_t k) {
 }  // namespace
 
 Float2 birthPlace(const World& world, const Command& c, uint32_t index, uint32_t k) {
-  const auto dice = cpu::philox(world.master.seed, {world.master.tick, index, kPlacePurpose, k});
-  const Float2 wish = wishedPlace(world, c, k, cpu::unitFloat(dice.x), cpu::unitFloat(dice.y));
-  const float width = world.limits.width_m, height = world.limits.height_m, clear = world.rules.world.spawnClearance_m;
+  const float width = world.limits.width_m, height = world.limits.height_m;
+  const float clear = world.mode == Mode::swarm ? world.rules.swarm.clearance_m : world.rules.world.spawnClearance_m;
   const auto near = [&](Float2 p) { return std::sqrt((p.x - c.x) * (p.x - c.x) + (p.y - c.y) * (p.y - c.y)) < clear; };
-  Float2 place = {mirroredIn(wish.x, width), mirroredIn(wish.y, height)};
+  Float2 place{};
+  for (uint32_t attempt = 0; attempt < (c.pattern == Pattern::rain ? 16u : 1u); ++attempt) {
+    const auto dice = cpu::philox(world.master.seed, {world.master.tick, index + 65536 * attempt, kPlacePurpose, k});
+    const Float2 wish = wishedPlace(world, c, k, cpu::unitFloat(dice.x), cpu::unitFloat(dice.y));
+    place = {mirroredIn(wish.x, width), mirroredIn(wish.y, height)};
+    if (!near(place)) return place;
+  }
   if (near(place)) place = {width - place.x, height - place.y};
   if (near(place)) {  // towards the far walls, where there is room
     place.x = mirroredIn(c.x > 0.5f * width ? c.x - clear : c.x + clear, width);
@@ -135,7 +140,7 @@ void spawn(World& world) {
   uint32_t bits = 0, born = 0;
   for (const Entity& e : world.entities) bits += e.type == kTypeBit;
   for (const Entity& e : world.entities) {
-    if (!world.isEnemy(e) || e.state != uint32_t(Kamikaze::dead) || (e.flags & (kFlagFlushed | kFlagBlasted))) continue;
+    if (!world.isEnemy(e) || e.state != uint32_t(Mind::dead) || (e.flags & (kFlagFlushed | kFlagBlasted))) continue;
     for (uint32_t b = 0; b < world.rulesOf(e).bits; ++b) {
       if (bits + born < kBitCapacity) {
         births.push_back(bit(world, e, born++));
@@ -144,8 +149,7 @@ void spawn(World& world) {
       }
     }
   }
-  std::erase_if(world.entities,
-                [&](const Entity& e) { return world.isEnemy(e) && e.state == uint32_t(Kamikaze::dead); });
+  std::erase_if(world.entities, [&](const Entity& e) { return world.isEnemy(e) && e.state == uint32_t(Mind::dead); });
   for (size_t i = 0; i < births.size() && i < freeIds.size(); ++i) {
     births[i].id = freeIds[i];
     world.add(births[i]);

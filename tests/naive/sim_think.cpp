@@ -2,6 +2,7 @@
 
 #include "game/sim/entity_flags.h"
 #include "gpu/exact_math.h"
+#include "gpu/fixed_sum.h"
 #include "gpu/philox.h"
 #include "tests/naive/sim_world.h"
 
@@ -19,43 +20,168 @@ Vector unit(float x, float y) {
   return l > 0.0f ? Vector{x / l, y / l} : Vector{0.0f, 0.0f};
 }
 
-// RULES: heading drifts, with a share towards the ship, at a share of the speed; attacking seeks the ship,
-// faster when damaged. The force closes a share of the gap to that wish in one tick.
-void steer(const World& world, Entity& e) {
-  const Rules& r = world.rules;
-  const EnemyRules& type = world.rulesOf(e);
-  const Vector toShip = unit(world.master.ship.x - e.x, world.master.ship.y - e.y);
-  Vector way = toShip, heading = toShip;
-  float speed = type.speed_mps;
-  if (e.state == uint32_t(Kamikaze::attacking)) {
-    if (e.energy < type.energy) speed = speed * r.steering.damagedSpeed;
-  } else {
-    const uint32_t dice = cpu::philox(world.master.seed, {world.master.tick, e.id, kWanderPurpose, 0}).x;
-    const float drift = (2.0f * cpu::unitFloat(dice) - 1.0f) * r.steering.wanderDrift_rad;
-    const float s = cpu::sine(drift), c = cpu::cosine(drift);
-    heading = unit(e.direction_x * c - e.direction_y * s, e.direction_x * s + e.direction_y * c);
-    way = unit(heading.x + r.steering.wanderToShip * toShip.x, heading.y + r.steering.wanderToShip * toShip.y);
-    speed = speed * r.steering.wanderSpeed;
-  }
-  const float share = e.mass * r.steering.response * 60.0f;
-  e.force_x = (way.x * speed - e.velocity_x) * share;
-  e.force_y = (way.y * speed - e.velocity_y) * share;
-  e.direction_x = heading.x;
-  e.direction_y = heading.y;
+// What an enemy finds out by looking at everybody, as everybody was at the start of the tick.
+struct Sight {
+  uint32_t kin = 0;
+  Vector middle{0, 0}, heading{0, 0};  // of its kin, unit vectors
+  const Entity* shot = nullptr;        // the nearest that would hit or graze it
+};
+
+// Sums in the same fixed point as the game: float sums would depend on the order.
+Vector unitOf(const cpu::FixedSum2& sum) {
+  const Float2 total = sum.total(1048576.0f);
+  return unit(total.x, total.y);
 }
 
-void thinkEnemy(const World& world, Entity& e) {
+Sight look(const World& world, const std::vector<Entity>& all, const Entity& e) {
+  const Rules::Steering& rules = world.rules.steering;
+  const EnemyRules& type = world.rulesOf(e);
+  Sight sight;
+  cpu::FixedSum2 middle, heading;
+  float nearest = 0.0f;
+  for (const Entity& other : all) {
+    const float x = other.x - e.x, y = other.y - e.y;
+    if (other.type == e.type && other.id != e.id && x * x + y * y <= type.vision_m * type.vision_m) {
+      ++sight.kin;
+      middle.add(x, y, 1048576.0f);
+      heading.add(other.direction_x, other.direction_y, 1048576.0f);
+    }
+    if (other.type != kTypeShot || type.machine == Machine::kamikaze) continue;
+    if (x * x + y * y > rules.threat_m * rules.threat_m) continue;
+    // From the shot to the enemy: ahead of it, and near enough to its line?
+    const float ahead = other.direction_x * -x + other.direction_y * -y;
+    const float aside = std::fabs(other.direction_x * -y - other.direction_y * -x);
+    const float body = type.bounds == Bounds::circle
+                           ? type.halfWidth_m
+                           : std::sqrt(type.halfWidth_m * type.halfWidth_m + type.halfHeight_m * type.halfHeight_m);
+    if (ahead <= 0.0f || aside > body + rules.threatMargin_m) continue;
+    const float square = x * x + y * y;
+    if (sight.shot && square >= nearest) continue;  // shots come by ascending id: the first of two wins
+    sight.shot = &other;
+    nearest = square;
+  }
+  sight.middle = unitOf(middle);
+  sight.heading = unitOf(heading);
+  return sight;
+}
+
+Vector drifted(const World& world, const Entity& e) {
+  const uint32_t dice = cpu::philox(world.master.seed, {world.master.tick, e.id, kWanderPurpose, 0}).x;
+  const float drift = (2.0f * cpu::unitFloat(dice) - 1.0f) * world.rules.steering.wanderDrift_rad;
+  const float s = cpu::sine(drift), c = cpu::cosine(drift);
+  return unit(e.direction_x * c - e.direction_y * s, e.direction_x * s + e.direction_y * c);
+}
+
+// Away from the ship, along walls, out of corners.
+Vector flight(const World& world, const Entity& e, Vector toShip) {
+  const float wall = world.rules.steering.escapeWall_m, width = world.limits.width_m, height = world.limits.height_m;
+  const Vector away = unit(-(world.master.ship.x - e.x), -(world.master.ship.y - e.y));
+  Vector way = away;
+  if (way.x < 0.0f ? e.x < wall : e.x > width - wall) way.x = 0.0f;
+  if (way.y < 0.0f ? e.y < wall : e.y > height - wall) way.y = 0.0f;
+  if (way.x == 0.0f && way.y == 0.0f) {
+    if (std::fabs(toShip.x) < std::fabs(toShip.y)) {
+      way.x = e.x < width / 2 ? 1.0f : -1.0f;
+    } else {
+      way.y = e.y < height / 2 ? 1.0f : -1.0f;
+    }
+  }
+  return unit(way.x, way.y);
+}
+
+// RULES, "how they think": the wish of each state; the force closes a share of the gap to it in one tick.
+void steer(const World& world, Entity& e, const Sight& sight) {
+  const Rules::Steering& r = world.rules.steering;
+  const EnemyRules& type = world.rulesOf(e);
+  const float ship_x = world.master.ship.x - e.x, ship_y = world.master.ship.y - e.y;
+  const Vector toShip = unit(ship_x, ship_y);
+  Vector way = toShip;
+  float speed = type.speed_mps, response = r.response;
+  bool keepsWay = true;  // its heading becomes its way
+  Vector heading{e.direction_x, e.direction_y};
+  switch (Mind(e.state)) {
+    case Mind::attacking:
+      if (type.machine == Machine::kamikaze) {
+        if (e.energy < type.energy) speed = speed * r.damagedSpeed;
+      } else if (type.machine == Machine::group) {
+        way = unit(toShip.x + r.attackAlignment * sight.heading.x, toShip.y + r.attackAlignment * sight.heading.y);
+      } else {
+        const float far = std::sqrt(ship_x * ship_x + ship_y * ship_y) > r.sidewaysBeyond_m ? r.sideways : 0.0f;
+        const float left = e.id % 2 ? far : -far;
+        way = unit(toShip.x - left * toShip.y, toShip.y + left * toShip.x);
+      }
+      break;
+    case Mind::avoiding:
+      way = heading;
+      speed = r.avoid_mps;
+      response = r.avoidResponse;
+      break;
+    case Mind::escaping:
+      way = flight(world, e, toShip);
+      speed = type.speed_mps * r.escapeSpeed;
+      e.energy = std::min(e.energy + r.recover_per_s * kTick_s, type.energy);
+      break;
+    case Mind::grouping:
+      heading = drifted(world, e);
+      way = unit(heading.x + r.wanderToShip * toShip.x + r.cohesion * sight.middle.x + r.alignment * sight.heading.x,
+                 heading.y + r.wanderToShip * toShip.y + r.cohesion * sight.middle.y + r.alignment * sight.heading.y);
+      speed = type.speed_mps * r.wanderSpeed;
+      break;
+    case Mind::wandering:
+      heading = drifted(world, e);
+      way = unit(heading.x + r.wanderToShip * toShip.x, heading.y + r.wanderToShip * toShip.y);
+      speed = type.speed_mps * r.wanderSpeed;
+      keepsWay = false;
+      break;
+    case Mind::checkingEnergy:
+    case Mind::dead:
+      e.force_x = e.force_y = 0.0f;
+      return;
+  }
+  const float share = e.mass * response * 60.0f;
+  e.force_x = (way.x * speed - e.velocity_x) * share;
+  e.force_y = (way.y * speed - e.velocity_y) * share;
+  e.direction_x = keepsWay ? way.x : heading.x;
+  e.direction_y = keepsWay ? way.y : heading.y;
+}
+
+void beginToAvoid(const World& world, Entity& e, const Entity& shot) {
+  e.timer = world.rules.steering.avoid_ticks;
+  e.cooldown = world.rulesOf(e).avoidCooldown_ticks;
+  const float aside = shot.direction_x * (e.y - shot.y) - shot.direction_y * (e.x - shot.x);
+  const bool left = aside == 0.0f ? e.id % 2 == 1 : aside > 0.0f;
+  e.direction_x = left ? -shot.direction_y : shot.direction_y;
+  e.direction_y = left ? shot.direction_x : -shot.direction_x;
+}
+
+void thinkEnemy(const World& world, const std::vector<Entity>& all, Entity& e) {
   if (world.isAnnounced(e)) return;
   const float x = world.master.ship.x - e.x, y = world.master.ship.y - e.y, distance = std::sqrt(x * x + y * y);
-  const float sight = world.rulesOf(e).sight_m;
-  const Kamikaze before = Kamikaze(e.state);
-  const Kamikaze after = kamikazeStep(before, e.flags & kFlagHit, e.energy <= 0.0f, distance <= sight,
-                                      distance > sight * world.rules.steering.sightLost);
+  const EnemyRules& type = world.rulesOf(e);
+  const Rules::Steering& r = world.rules.steering;
+  const Mind before = Mind(e.state);
+  if (before == Mind::avoiding && e.timer > 0) --e.timer;
+  if (e.cooldown > 0) --e.cooldown;
+  const Sight sight = look(world, all, e);
+  Facts facts;
+  facts.damaged = e.flags & kFlagHit;
+  facts.energyGone = e.energy <= 0.0f;
+  facts.energyLow = e.energy < type.energy * r.escapeBelow;
+  facts.recovered = e.energy >= type.energy * r.recoveredAt;
+  facts.avoided = e.timer == 0;
+  facts.shotComing = sight.shot && e.cooldown == 0;
+  facts.seesShip = world.master.allAttack || distance <= type.sight_m;
+  facts.lostShip = !world.master.allAttack && distance > type.sight_m * r.sightLost;
+  facts.company = sight.kin > 0;
+  const Mind after = nextMind(type.machine, before, facts);
   e.state = uint32_t(after);
   e.transited = after != before;
-  e.died = e.transited && after == Kamikaze::dead;
-  if (after == Kamikaze::checkingEnergy) e.flags &= ~uint32_t(kFlagHit);
-  if (after != Kamikaze::dead) steer(world, e);
+  e.died = e.transited && after == Mind::dead;
+  if (after == Mind::checkingEnergy) e.flags &= ~uint32_t(kFlagHit);
+  if (e.transited && after == Mind::avoiding) beginToAvoid(world, e, *sight.shot);
+  if (after == Mind::dead) return;
+  const bool looked = before == Mind::wandering || before == Mind::grouping || before == Mind::attacking;
+  steer(world, e, looked ? sight : Sight{});
 }
 
 void thinkBit(const World& world, Entity& e) {
@@ -72,30 +198,47 @@ void thinkBit(const World& world, Entity& e) {
   }
 }
 
+// The living states that only group and tricky, only tricky have.
+bool hasState(Machine machine, Mind mind) {
+  if (mind == Mind::escaping) return machine == Machine::tricky;
+  if (mind == Mind::grouping || mind == Mind::avoiding) return machine != Machine::kamikaze;
+  return true;
+}
+
 }  // namespace
 
-Kamikaze kamikazeStep(Kamikaze state, bool damaged, bool energyGone, bool seesShip, bool lostShip) {
-  switch (state) {
-    case Kamikaze::dead:
-      return Kamikaze::dead;
-    case Kamikaze::checkingEnergy:
-      if (damaged) return Kamikaze::checkingEnergy;
-      if (energyGone) return Kamikaze::dead;
-      return seesShip ? Kamikaze::attacking : Kamikaze::wandering;
-    case Kamikaze::wandering:
-      if (damaged) return Kamikaze::checkingEnergy;
-      return seesShip ? Kamikaze::attacking : Kamikaze::wandering;
-    case Kamikaze::attacking:
-      if (damaged) return Kamikaze::checkingEnergy;
-      return lostShip ? Kamikaze::wandering : Kamikaze::attacking;
+Mind nextMind(Machine machine, Mind mind, const Facts& f) {
+  if (mind == Mind::dead || !hasState(machine, mind)) return mind;
+  const bool kamikaze = machine == Machine::kamikaze, tricky = machine == Machine::tricky;
+  // 1: damaged, any living state.
+  if (f.damaged) return Mind::checkingEnergy;
+  // 2
+  if (mind == Mind::checkingEnergy) {
+    if (f.energyGone) return Mind::dead;
+    if (tricky && f.energyLow) return Mind::escaping;
+    return f.seesShip ? Mind::attacking : Mind::wandering;
   }
-  return state;
+  // 3
+  if (mind == Mind::escaping) return f.recovered ? Mind::wandering : mind;
+  if (mind == Mind::avoiding) return f.avoided ? Mind::wandering : mind;
+  // 4
+  if (!kamikaze && f.shotComing) return Mind::avoiding;
+  // 5
+  if (mind != Mind::attacking && f.seesShip) return Mind::attacking;
+  // 6, and a group of one is none
+  if (mind == Mind::attacking) {
+    if (!f.lostShip) return mind;
+    return !kamikaze && f.company ? Mind::grouping : Mind::wandering;
+  }
+  if (kamikaze) return mind;
+  return f.company ? Mind::grouping : Mind::wandering;
 }
 
 void think(World& world) {
+  const std::vector<Entity> all = world.entities;  // everybody looks at the same moment
   for (Entity& e : world.entities) {
     e.taken = e.died = e.transited = e.gone = false;
-    if (world.isEnemy(e)) thinkEnemy(world, e);
+    if (world.isEnemy(e)) thinkEnemy(world, all, e);
     if (e.type == kTypeBit) thinkBit(world, e);
   }
 }

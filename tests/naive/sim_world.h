@@ -21,6 +21,7 @@ struct Entity : EntityRecord {
 struct World {
   Rules rules{};
   Limits limits{};
+  Mode mode = Mode::arcade;
   Master master;
   std::vector<Entity> entities;  // by ascending id
 
@@ -49,8 +50,12 @@ void settle(World& world);
 void tick(World& world, const InputRecord& input);
 
 // Parts that tests also use alone.
-enum class Kamikaze : uint32_t { wandering, attacking, checkingEnergy, dead };
-Kamikaze kamikazeStep(Kamikaze state, bool damaged, bool energyGone, bool seesShip, bool lostShip);
+enum class Mind : uint32_t { wandering, grouping, attacking, avoiding, escaping, checkingEnergy, dead };
+struct Facts {
+  bool damaged = false, energyGone = false, energyLow = false, recovered = false, avoided = false, shotComing = false,
+       seesShip = false, lostShip = false, company = false;
+};
+Mind nextMind(Machine machine, Mind mind, const Facts& facts);
 // Earliest time in 0..1 at which a circle at (x, y), moving by (dx, dy), touches the body at the origin; 2: never.
 float meeting(float x, float y, float dx, float dy, float radius, const EnemyRules& body);
 // Where the k-th of a command is born.

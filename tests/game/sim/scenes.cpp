@@ -52,6 +52,19 @@ EntityRecord bitAt(const Rules& rules, uint32_t id, float x, float y) {
   return e;
 }
 
+namespace {
+uint32_t livingState(Machine machine, Dice& dice) {
+  for (;;) {
+    const uint32_t state = dice.below(uint32_t(State::dead));
+    bool known = false;
+    for (uint32_t row = 0; row < tableOf(machine).count; ++row) {
+      known = known || (tableOf(machine).rows[row].from & in(State(state)));
+    }
+    if (known) return state;
+  }
+}
+}  // namespace
+
 void addCrowd(naive::World& world, uint32_t enemies, uint32_t shots, uint32_t bits, float halfWidth_m, Dice& dice) {
   const Ship& ship = world.master.ship;
   const Rules& rules = world.rules;
@@ -76,7 +89,9 @@ void addCrowd(naive::World& world, uint32_t enemies, uint32_t shots, uint32_t bi
     e.direction_y = cpu::sine(angle);
     e.push_x = dice.between(-4.0f, 4.0f);
     e.push_y = dice.between(-4.0f, 4.0f);
-    e.state = dice.below(16) == 0 ? uint32_t(State::dead) : dice.below(3);
+    e.state = dice.below(16) == 0 ? uint32_t(State::dead) : livingState(rules.enemies[type].machine, dice);
+    if (e.state == uint32_t(State::avoiding)) e.timer = 1 + dice.below(rules.steering.avoid_ticks);
+    if (rules.enemies[type].machine != Machine::kamikaze && dice.below(3) == 0) e.cooldown = dice.below(90);
     e.flags = dice.below(4) == 0 ? uint32_t(kFlagHit) : 0u;
     if (e.state == uint32_t(State::dead)) e.flags |= dice.below(4) * kFlagFlushed;
     if (dice.below(4) == 0) e.energy = dice.between(-1.0f, e.energy);

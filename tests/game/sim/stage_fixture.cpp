@@ -71,6 +71,7 @@ naive::World StageFixture::emptyWorld() const {
   naive::World world;
   world.rules = config_.rules;
   world.limits = state_.limits();
+  world.mode = config_.mode;
   world.master = master();
   return world;
 }
