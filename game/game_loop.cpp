@@ -135,7 +135,13 @@ void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const Wo
     camera_->follow(cameraTarget(run.last(), alpha), aspectOf(size), float(passed_s));
   }
   context_->bindTarget();
-  view_->draw(run, rules, *camera_, {size, alpha, brightness}, screens);
+  if (!run.over()) overSince_s_ = 0;
+  if (run.over() && overSince_s_ == 0) overSince_s_ = now_s_;
+  WorldFrame frame{size, alpha, brightness};
+  frame.afterEnd_ticks = run.over() ? float((now_s_ - overSince_s_) * kTicksPerSecond) : 0;
+  frame.effects = effects_;
+  if (pacer_.speed() > 1) frame.effects.flash = 0;  // they would come more often than is safe to look at
+  view_->draw(run, rules, *camera_, frame, screens);
   context_->swap();
   limitFrames();
   countFrame();

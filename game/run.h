@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "game/effects/run_effects.h"
 #include "game/replay/recorder.h"
 #include "game/sim/simulation.h"
 #include "game/ui/run_monitor.h"
@@ -35,12 +36,14 @@ class Run {
   bool over() const { return last().over != 0; }
   const TickReport& last() const { return monitor_.last(); }
   const RunMonitor& monitor() const { return monitor_; }
+  const RunEffects& effects() const { return effects_; }
   Simulation& simulation() { return *simulation_; }
 
  private:
   std::unique_ptr<Simulation> simulation_;
   std::optional<Recorder> recorder_;
   RunMonitor monitor_;
+  RunEffects effects_;
   uint32_t queued_ = 0;
   bool recorded_ = false;
 };

@@ -29,6 +29,7 @@ class TickPacer {
 
   // Times real time; 1 in play.
   void setSpeed(double speed) { speed_ = speed; }
+  double speed() const { return speed_; }
 
   // How far this frame lies between the last two ticks, 0 to 1.
   float alpha() const;

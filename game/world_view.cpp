@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/effects/overlay.h"
 #include "game/gl_canvas.h"
 #include "game/ui/hud.h"
 #include "game/ui/theme.h"
@@ -17,12 +18,26 @@ namespace {
 
 constexpr uint32_t kSpareSprites = 64;  // the ship and what else is no entity
 constexpr float kBlastShown_ticks = 24;
+constexpr float kEdge_m = 3;  // sprites reach into view from outside, and move between ticks
 
-std::unique_ptr<SpriteStream> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda) {
+// How many particles are drawn at most: all that a device may hold where there is a GPU; where the processor
+// draws, as many as cost it less than a tenth of a frame.
+constexpr uint32_t kParticlesDrawn = 16384, kParticlesDrawnWithoutGpu = 3072;
+
+template <class Vertex>
+std::unique_ptr<Stream<Vertex>> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda) {
 #ifdef GW_HAVE_CUDA
-  if (cuda) return makeCudaSpriteStream(capacity).stream;
+  if (cuda) return makeCudaStream<Vertex>(capacity).stream;
 #endif
-  return std::make_unique<VertexStream>(capacity);
+  return std::make_unique<MappedStream<Vertex>>(capacity);
+}
+
+DrawView withEdge(const Camera& camera) {
+  return {camera.centre_x, camera.centre_y, camera.halfWidth_m + kEdge_m, camera.halfHeight_m + kEdge_m};
+}
+
+Moment momentOf(const Run& run, const WorldFrame& frame) {
+  return {run.last().tick, frame.alpha + frame.afterEnd_ticks};
 }
 
 // Passes read shaders and fonts: what goes wrong there is a bad file.
@@ -39,8 +54,10 @@ Pass loaded(const std::filesystem::path& assets) {
 
 WorldView::WorldView(const std::filesystem::path& assets, uint32_t capacity, bool cuda)
     : capacity_(capacity + kSpareSprites),
-      stream_(makeStream(capacity_, cuda)),
+      stream_(makeStream<SpriteVertex>(capacity_, cuda)),
+      particleStream_(makeStream<ParticleVertex>(cuda ? kParticlesDrawn : kParticlesDrawnWithoutGpu, cuda)),
       grid_(loaded<GridPass>(assets)),
+      particles_(loaded<ParticlePass>(assets)),
       sprites_(loaded<SpritePass>(assets)),
       rings_(loaded<RingPass>(assets)),
       quads_(loaded<QuadPass>(assets)),
@@ -50,38 +67,66 @@ void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, c
                      const Screens& screens) {
   Simulation& simulation = run.simulation();
   const TickReport& report = run.last();
-  const Camera view = camera.view();
-  constexpr float kEdge_m = 3;  // sprites reach into view from outside, and move between ticks
+  Camera view = camera.view();  // a copy: the mouse aims by the one that does not shake
+  const Shake::Offset shake = run.effects().shake().at(momentOf(run, frame), frame.effects.shake);
+  view.centre_x += shake.x;
+  view.centre_y += shake.y;
 
   const StreamRegion region = stream_->begin();
-  simulation.drawList({view.centre_x, view.centre_y, view.halfWidth_m + kEdge_m, view.halfHeight_m + kEdge_m},
-                      {region.vertices, region.capacity, region.command});
+  simulation.drawList(withEdge(view), {region.vertices, region.capacity, region.command});
   stream_->written();
+  const ParticleRegion particles = particleStream_->begin();
+  if (frame.effects.particles) {
+    simulation.particleList(withEdge(view), frame.alpha + frame.afterEnd_ticks,
+                            {particles.vertices, particles.capacity, particles.command});
+  }
+  particleStream_->written();
   simulation.park();
 
-  const float lost = 1 - budgetLeft(report.frameTime_us, rules.budget);
-  GridFrame grid;
-  grid.camera = view;
-  grid.worldWidth_m = simulation.worldWidth_m();
-  grid.worldHeight_m = simulation.worldHeight_m();
-  grid.target = frame.target;
-  grid.time_s = (float(report.tick) + frame.alpha) * kTick_s;
-  grid.unrest = lost * lost;
-  grid.brightness = frame.brightness;
-  grid_.draw(grid);
-
+  drawBackground(run, rules, view, frame);
+  if (frame.effects.particles) particles_.draw(particles, {view, frame.target, frame.brightness});
+  particleStream_->end();
+  drawEffects(run, view, frame);
   SpriteFrame sprites;
   sprites.camera = view;
   sprites.target = frame.target;
   sprites.alpha = frame.alpha;
   sprites.tick = float(report.tick) + frame.alpha;
   sprites.brightness = frame.brightness;
+  sprites.flashes = frame.effects.flash > 0;
   sprites_.draw(region, sprites);
   drawRings(run, rules, view, frame);
   stream_->end();
 
   GlCanvas canvas(quads_, text_, frame.target);
   screens(canvas);
+  canvas.nextLayer();
+}
+
+void WorldView::drawBackground(Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame) {
+  const TickReport& report = run.last();
+  const float lost = 1 - budgetLeft(report.frameTime_us, rules.budget);
+  std::vector<GridBend> bends;
+  if (frame.effects.gridBending) bends = run.effects().gridBends().at(momentOf(run, frame));
+  GridFrame grid;
+  grid.camera = camera;
+  grid.worldWidth_m = run.simulation().worldWidth_m();
+  grid.worldHeight_m = run.simulation().worldHeight_m();
+  grid.target = frame.target;
+  grid.time_s = (float(report.tick) + frame.alpha) * kTick_s;
+  grid.unrest = lost * lost;
+  grid.brightness = frame.brightness;
+  grid.bends = bends;
+  grid_.draw(grid);
+}
+
+// What lies between the background and everything that lives, beside the particles.
+void WorldView::drawEffects(const Run& run, const Camera& camera, const WorldFrame& frame) {
+  GlCanvas canvas(quads_, text_, frame.target);
+  drawFlash(canvas, run.effects().flash().at(momentOf(run, frame), frame.effects.flash));
+  if (frame.effects.scorePops) {
+    drawScorePops(canvas, run.effects().scorePops().at(momentOf(run, frame)), camera, frame.brightness);
+  }
   canvas.nextLayer();
 }
 

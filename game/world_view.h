@@ -1,4 +1,5 @@
-// Draws a run: background, everything that lives, rings, and then whatever screens put on the canvas.
+// Draws a run: background and effects, everything that lives on top of them, rings, and then whatever screens put
+// on the canvas.
 // Works in a window and headless alike; reads the run, never changes it.
 #pragma once
 
@@ -8,8 +9,10 @@
 
 #include "game/camera.h"
 #include "game/run.h"
+#include "game/settings/settings.h"
 #include "game/ui/canvas.h"
 #include "render/grid_pass.h"
+#include "render/particle_pass.h"
 #include "render/quad_pass.h"
 #include "render/ring_pass.h"
 #include "render/sprite_pass.h"
@@ -20,8 +23,10 @@ namespace gw {
 
 struct WorldFrame {
   PixelSize target;
-  float alpha = 1;       // between the last two ticks
-  float brightness = 1;  // of the world; less behind menus
+  float alpha = 1;           // between the last two ticks
+  float brightness = 1;      // of the world; less behind menus
+  float afterEnd_ticks = 0;  // once the run is over nothing moves but its effects: for this long so far
+  Settings::Effects effects{};
 };
 
 class WorldView {
@@ -34,11 +39,15 @@ class WorldView {
   void draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame, const Screens& screens);
 
  private:
+  void drawBackground(Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame);
+  void drawEffects(const Run& run, const Camera& camera, const WorldFrame& frame);
   void drawRings(const Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame);
 
   uint32_t capacity_;
   std::unique_ptr<SpriteStream> stream_;
+  std::unique_ptr<ParticleStream> particleStream_;
   GridPass grid_;
+  ParticlePass particles_;
   SpritePass sprites_;
   RingPass rings_;
   QuadPass quads_;

@@ -18,17 +18,16 @@ void checkCuda(cudaError_t result, const char* doing) {
                            "): update the NVIDIA driver, or run with --device cpu.");
 }
 
-constexpr DrawArraysCommand kDrawNothing{SpriteStream::kQuadVertices, 0, 0, 0};
-
 // Kernels write OpenGL's own buffers. Mapping orders the two sides: GL commands issued before the map are
 // finished before CUDA writes, and CUDA's writes before the GL commands issued after the unmap. So one
 // region is enough, and there are no fences.
-class SharedStream final : public SpriteStream {
+template <class Vertex>
+class SharedStream final : public Stream<Vertex> {
  public:
   explicit SharedStream(uint32_t capacity)
       : capacity_(capacity),
-        vertices_(makeGlBuffer(size_t(capacity) * sizeof(SpriteVertex), nullptr, 0)),
-        command_(makeGlBuffer(sizeof(DrawArraysCommand), &kDrawNothing, 0)) {
+        vertices_(makeGlBuffer(size_t(capacity) * sizeof(Vertex), nullptr, 0)),
+        command_(makeGlBuffer(sizeof(DrawArraysCommand), &this->kDrawNothing, 0)) {
     // WriteDiscard only where every frame writes all that is drawn: begin() copies the command, and may read it.
     registerBuffer(0, vertices_.get(), cudaGraphicsRegisterFlagsWriteDiscard);
     registerBuffer(1, command_.get(), cudaGraphicsRegisterFlagsNone);
@@ -41,21 +40,22 @@ class SharedStream final : public SpriteStream {
     }
   }
 
-  StreamRegion begin() override {
+  RegionOf<Vertex> begin() override {
     checkCuda(cudaGraphicsMapResources(int(resources_.size()), resources_.data(), nullptr), "mapping the sprites");
     mapped_ = true;
-    StreamRegion region;
+    RegionOf<Vertex> region;
     size_t vertices_bytes = 0, command_bytes = 0;
     void* d_vertices = nullptr;
     void* d_command = nullptr;
     checkCuda(cudaGraphicsResourceGetMappedPointer(&d_vertices, &vertices_bytes, resources_[0]), "mapping the sprites");
     checkCuda(cudaGraphicsResourceGetMappedPointer(&d_command, &command_bytes, resources_[1]), "mapping the sprites");
-    checkCuda(cudaMemcpyAsync(d_command, &kDrawNothing, sizeof kDrawNothing, cudaMemcpyHostToDevice, nullptr),
-              "clearing the draw command");
+    checkCuda(
+        cudaMemcpyAsync(d_command, &this->kDrawNothing, sizeof(DrawArraysCommand), cudaMemcpyHostToDevice, nullptr),
+        "clearing the draw command");
     // The map is ordered before work in the default stream only; the simulation's own stream does not know of it.
     checkCuda(cudaStreamSynchronize(nullptr), "mapping the sprites");
-    region.vertices = static_cast<SpriteVertex*>(d_vertices);
-    region.capacity = std::min(capacity_, uint32_t(vertices_bytes / sizeof(SpriteVertex)));
+    region.vertices = static_cast<Vertex*>(d_vertices);
+    region.capacity = std::min(capacity_, uint32_t(vertices_bytes / sizeof(Vertex)));
     region.command = static_cast<DrawArraysCommand*>(d_command);
     region.vertexBuffer = vertices_.get();
     region.commandBuffer = command_.get();
@@ -102,18 +102,19 @@ std::unique_ptr<T, FreeDevice> allocateDevice(size_t count) {
 
 // OpenGL draws on another device: kernels write a buffer of their own, and what lives of it is copied into
 // the persistent maps of an ordinary VertexStream.
-class CopiedStream final : public SpriteStream {
+template <class Vertex>
+class CopiedStream final : public Stream<Vertex> {
  public:
   explicit CopiedStream(uint32_t capacity)
       : host_(capacity),
-        d_vertices_(allocateDevice<SpriteVertex>(capacity)),
+        d_vertices_(allocateDevice<Vertex>(capacity)),
         d_command_(allocateDevice<DrawArraysCommand>(1)) {}
 
-  StreamRegion begin() override {
-    checkCuda(cudaMemcpy(d_command_.get(), &kDrawNothing, sizeof kDrawNothing, cudaMemcpyHostToDevice),
+  RegionOf<Vertex> begin() override {
+    checkCuda(cudaMemcpy(d_command_.get(), &this->kDrawNothing, sizeof(DrawArraysCommand), cudaMemcpyHostToDevice),
               "clearing the draw command");
     region_ = host_.begin();
-    StreamRegion region = region_;
+    RegionOf<Vertex> region = region_;
     region.vertices = d_vertices_.get();
     region.command = d_command_.get();
     return region;
@@ -124,7 +125,7 @@ class CopiedStream final : public SpriteStream {
     DrawArraysCommand command;
     checkCuda(cudaMemcpy(&command, d_command_.get(), sizeof command, cudaMemcpyDeviceToHost), "copying the sprites");
     command.instanceCount = std::min(command.instanceCount, region_.capacity);
-    checkCuda(cudaMemcpy(region_.vertices, d_vertices_.get(), size_t(command.instanceCount) * sizeof(SpriteVertex),
+    checkCuda(cudaMemcpy(region_.vertices, d_vertices_.get(), size_t(command.instanceCount) * sizeof(Vertex),
                          cudaMemcpyDeviceToHost),
               "copying the sprites");
     *region_.command = command;
@@ -134,9 +135,9 @@ class CopiedStream final : public SpriteStream {
   void end() override { host_.end(); }
 
  private:
-  VertexStream host_;
-  StreamRegion region_;
-  std::unique_ptr<SpriteVertex, FreeDevice> d_vertices_;
+  MappedStream<Vertex> host_;
+  RegionOf<Vertex> region_;
+  std::unique_ptr<Vertex, FreeDevice> d_vertices_;
   std::unique_ptr<DrawArraysCommand, FreeDevice> d_command_;
 };
 
@@ -157,10 +158,14 @@ std::string whyNotShared() {
 
 }  // namespace
 
-CudaStream makeCudaSpriteStream(uint32_t capacity) {
+template <class Vertex>
+CudaStream<Vertex> makeCudaStream(uint32_t capacity) {
   std::string why = whyNotShared();
-  if (why.empty()) return {std::make_unique<SharedStream>(capacity), true, ""};
-  return {std::make_unique<CopiedStream>(capacity), false, std::move(why)};
+  if (why.empty()) return {std::make_unique<SharedStream<Vertex>>(capacity), true, ""};
+  return {std::make_unique<CopiedStream<Vertex>>(capacity), false, std::move(why)};
 }
+
+template CudaStream<SpriteVertex> makeCudaStream(uint32_t capacity);
+template CudaStream<ParticleVertex> makeCudaStream(uint32_t capacity);
 
 }  // namespace gw

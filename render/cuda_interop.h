@@ -1,8 +1,8 @@
-// Sprites written by CUDA kernels straight into OpenGL's buffers. Same use as VertexStream; the addresses
-// in StreamRegion are device addresses. Only in builds with CUDA.
+// Sprites and particles written by CUDA kernels straight into OpenGL's buffers. Same use as MappedStream; the addresses
+// in a region are device addresses. Only in builds with CUDA.
 //
 // Never run so far: compiled and read only, for want of a machine with a GPU and OpenGL on it. What must hold
-// there: a frame drawn from this stream equals the one that VertexStream draws from the same sprites.
+// there: a frame drawn from this stream equals the one that MappedStream draws from the same vertices.
 #pragma once
 
 #include <memory>
@@ -12,14 +12,16 @@
 
 namespace gw {
 
+template <class Vertex>
 struct CudaStream {
-  std::unique_ptr<SpriteStream> stream;
+  std::unique_ptr<Stream<Vertex>> stream;
   bool shared;      // true: kernels write OpenGL's own memory; false: one copy through the host per frame
   std::string why;  // when not shared: why, in a few words
 };
 
 // Shares memory when the current context draws on the current CUDA device. When it draws elsewhere (Mesa's
 // llvmpipe, another card) kernels write a buffer of their own and written() copies the living part over.
-CudaStream makeCudaSpriteStream(uint32_t capacity);
+template <class Vertex>
+CudaStream<Vertex> makeCudaStream(uint32_t capacity);
 
 }  // namespace gw

@@ -1,16 +1,25 @@
 #include "render/grid_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gw {
 namespace {
 
-enum Uniform : GLint { kCamera = 0, kWorld = 1, kLines = 2, kMood = 3 };  // locations in grid.vert
+enum Uniform : GLint {
+  kCamera = 0,
+  kWorld = 1,
+  kLines = 2,
+  kMood = 3,
+  kCuts = 4,
+  kBends = 8
+};  // locations in grid.vert
 
 constexpr float kStep_m = 4;  // as in grid.vert
 constexpr int kWalls = 4;
 constexpr int kBands = 22;         // of the screen that tear as one: about 33 pixels each at 720
+constexpr int kBentPieces = 88;    // a line bends in pieces of at most a metre; a multiple of kBands
 constexpr float kFlicker_hz = 14;  // slower looks like a fault, faster like noise
 constexpr float kCalm = .01f;      // below this nothing tears: the screen is one band
 
@@ -36,6 +45,8 @@ void GridPass::draw(const GridFrame& frame) {
   const Range upright = linesInView(camera.centre_x, camera.halfWidth_m, frame.worldWidth_m);
   const Range level = linesInView(camera.centre_y, camera.halfHeight_m, frame.worldHeight_m);
   const int bands = unrest < kCalm ? 1 : kBands;
+  const int bends = int(std::min(frame.bends.size(), size_t(kMaxGridBends)));
+  const int pieces = bends > 0 ? kBentPieces : bands;
 
   glClearColor(.010f * frame.brightness, .013f * frame.brightness, .032f * frame.brightness, 1);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -43,14 +54,22 @@ void GridPass::draw(const GridFrame& frame) {
   glUseProgram(program_.get());
   glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);
   glUniform4f(kWorld, frame.worldWidth_m, frame.worldHeight_m, float(frame.target.height) / (2 * camera.halfHeight_m),
-              float(bands));
+              0);
+  glUniform3i(kCuts, pieces, bands, bends);
+  std::array<float, 2 * 4 * kMaxGridBends> packed{};
+  for (int i = 0; i < bends; ++i) {
+    const GridBend& bend = frame.bends[size_t(i)];
+    const float values[] = {bend.x, bend.y, bend.radius_m, bend.width_m, bend.strength_m, 0, 0, 0};
+    std::copy(std::begin(values), std::end(values), packed.begin() + 8 * i);
+  }
+  if (bends > 0) glUniform4fv(kBends, 2 * bends, packed.data());
   glUniform4i(kLines, upright.first, upright.count, level.first, level.count);
   glUniform4f(kMood, frame.time_s, unrest, frame.brightness, std::floor(frame.time_s * kFlicker_hz));
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   glBindVertexArray(vertexArray_.get());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4 * bands, upright.count + level.count + kWalls);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4 * pieces, upright.count + level.count + kWalls);
   checkGl("drawing the grid");
 }
 

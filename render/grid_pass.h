@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "render/camera.h"
 #include "render/gl_objects.h"
+#include "render/grid_bend.h"
 
 namespace gw {
 
@@ -16,6 +18,7 @@ struct GridFrame {
   float time_s = 0;                               // game time: what moves stops with the game
   float unrest = 0;                               // 0 calm .. 1 the frame budget is spent: lines flicker and tear
   float brightness = 1;
+  std::span<const GridBend> bends{};  // at most kMaxGridBends; walls do not bend: they are what is collided with
 };
 
 class GridPass {

@@ -1,4 +1,4 @@
-// One sprite as the draw-list kernel writes it and the sprite pass reads it (one instance each).
+// What the draw kernels write and the passes read, one instance each: sprites and particles.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,16 @@ struct SpriteVertex {
   uint32_t colour;      // 0xRRGGBB
 };
 static_assert(sizeof(SpriteVertex) == 32);
+
+// One particle: a streak whose light falls off towards its tail.
+struct ParticleVertex {
+  float x, y;            // head, metres
+  float tail_x, tail_y;  // where the head was a moment ago
+  float size_m;          // half width at the head
+  float light;           // 1 full .. 0 gone
+  uint32_t colour;       // 0xRRGGBB
+};
+static_assert(sizeof(ParticleVertex) == 28);
 
 // The indirect draw record behind glDrawArraysIndirect; the kernel writes instanceCount.
 struct DrawArraysCommand {

@@ -15,13 +15,14 @@ constexpr GLuint64 kPatience_ns = 5'000'000'000;
 
 }  // namespace
 
-VertexStream::VertexStream(uint32_t capacity) : capacity_(capacity) {
-  const size_t vertices_bytes = size_t(capacity) * sizeof(SpriteVertex) * kRegions;
-  const size_t commands_bytes = kCommandStride_bytes * kRegions;
+template <class Vertex>
+MappedStream<Vertex>::MappedStream(uint32_t capacity) : capacity_(capacity) {
+  const size_t vertices_bytes = size_t(capacity) * sizeof(Vertex) * this->kRegions;
+  const size_t commands_bytes = kCommandStride_bytes * this->kRegions;
   vertices_ = makeGlBuffer(vertices_bytes, nullptr, kMapFlags);
   commands_ = makeGlBuffer(commands_bytes, nullptr, kMapFlags);
   mappedVertices_ =
-      static_cast<SpriteVertex*>(glMapNamedBufferRange(vertices_.get(), 0, GLsizeiptr(vertices_bytes), kMapFlags));
+      static_cast<Vertex*>(glMapNamedBufferRange(vertices_.get(), 0, GLsizeiptr(vertices_bytes), kMapFlags));
   mappedCommands_ =
       static_cast<std::byte*>(glMapNamedBufferRange(commands_.get(), 0, GLsizeiptr(commands_bytes), kMapFlags));
   if (mappedVertices_ == nullptr || mappedCommands_ == nullptr) {
@@ -30,12 +31,14 @@ VertexStream::VertexStream(uint32_t capacity) : capacity_(capacity) {
   }
 }
 
-VertexStream::~VertexStream() {
+template <class Vertex>
+MappedStream<Vertex>::~MappedStream() {
   for (GLsync fence : fences_) glDeleteSync(fence);  // null is fine
 }
 
-StreamRegion VertexStream::begin() {
-  region_ = (region_ + 1) % kRegions;
+template <class Vertex>
+RegionOf<Vertex> MappedStream<Vertex>::begin() {
+  region_ = (region_ + 1) % this->kRegions;
   GLsync& fence = fences_[region_];
   if (fence != nullptr) {
     GLenum state = glClientWaitSync(fence, 0, 0);
@@ -52,21 +55,25 @@ StreamRegion VertexStream::begin() {
     fence = nullptr;
   }
 
-  StreamRegion region;
-  region.vertexOffset_bytes = size_t(region_) * capacity_ * sizeof(SpriteVertex);
+  RegionOf<Vertex> region;
+  region.vertexOffset_bytes = size_t(region_) * capacity_ * sizeof(Vertex);
   region.commandOffset_bytes = region_ * kCommandStride_bytes;
   region.vertices = mappedVertices_ + size_t(region_) * capacity_;
   region.capacity = capacity_;
   region.command = reinterpret_cast<DrawArraysCommand*>(mappedCommands_ + region.commandOffset_bytes);
   region.vertexBuffer = vertices_.get();
   region.commandBuffer = commands_.get();
-  *region.command = {kQuadVertices, 0, 0, 0};
+  *region.command = this->kDrawNothing;
   return region;
 }
 
-void VertexStream::end() {
+template <class Vertex>
+void MappedStream<Vertex>::end() {
   glDeleteSync(fences_[region_]);
   fences_[region_] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
+
+template class MappedStream<SpriteVertex>;
+template class MappedStream<ParticleVertex>;
 
 }  // namespace gw

@@ -3,6 +3,7 @@
 
 in float across_px;
 in float along_m;
+in float stir;
 flat in vec4 tint;
 flat in vec4 data;
 
@@ -10,6 +11,7 @@ layout(location = 1) uniform vec4 world;
 layout(location = 3) uniform vec4 mood;
 layout(location = 0) out vec4 colour;
 
+const float kStirred = 3;   // a line moved by a metre shines so many times brighter, up to 4
 const float kApart_m = 60;  // between two packets on one line
 
 void main() {
@@ -22,6 +24,6 @@ void main() {
   // A packet has a sharp head and a tail of a third of the way to the next.
   float behind = fract((data.x > 0 ? -1 : 1) * (along_m - data.x * mood.x + data.y) / kApart_m);
   float tail = clamp(1 - 4 * behind, 0.0, 1.0);
-  float light = (tint.w < 0 ? wall : line) * (1 + data.z * 2.6 * tail * tail);
+  float light = (tint.w < 0 ? wall : line) * (1 + data.z * 2.6 * tail * tail + min(kStirred * stir, 4.0));
   colour = vec4(tint.rgb * light, 0);
 }

@@ -1,16 +1,20 @@
 #version 450 core
-// One instance = one line of the background, a strip cut into one part per band of the screen, so that unrest can
-// tear the bands apart. Instances in order: upright lines, level lines, the four walls (left, right, bottom, top).
+// One instance = one line of the background, a strip cut into pieces: at least one per band of the screen, so that
+// unrest can tear the bands apart, and short ones where lines bend. Instances in order: upright lines, level lines,
+// the four walls (left, right, bottom, top).
 //
-//   sections of an upright line, two bands:   0--1 2--3   (1 and 2 are one place in two bands)
+//   sections of an upright line, two pieces:   0--1 2--3   (1 and 2 are one place in two pieces)
 
 layout(location = 0) uniform vec4 camera;  // centre in metres; 1 / half extents
-layout(location = 1) uniform vec4 world;   // width and height of the world in metres; pixels per metre; bands
+layout(location = 1) uniform vec4 world;   // width and height of the world in metres; pixels per metre
 layout(location = 2) uniform ivec4 lines;  // first upright, upright count, first level, level count
 layout(location = 3) uniform vec4 mood;    // time in seconds; unrest; brightness; time step of the flicker
+layout(location = 4) uniform ivec3 cuts;   // pieces per line; bands of the screen; bends
+layout(location = 8) uniform vec4 bends[32];  // two per bend: place, radius, width; strength (all in metres)
 
 out float across_px;                    // from the middle of the line
 out float along_m;
+out float stir;                         // how far a bend has moved the line here, metres
 flat out vec4 tint;                     // colour; half width in pixels, negative for a wall's glow
 flat out vec4 data;                     // of what runs along the line: speed (m/s, signed), offset in metres, strength;
                                         // and the length of a wall in metres
@@ -29,6 +33,20 @@ float noise(int a, int b) {
   uint x = uint(a) * 0x9E3779B9u ^ uint(b) * 0x85EBCA6Bu;
   x ^= x >> 16; x *= 0x7FEB352Du; x ^= x >> 15; x *= 0x846CA68Bu; x ^= x >> 16;
   return float(x >> 8) / 16777216.0;
+}
+
+// How far the bends move a place: outwards from each bend's middle, most at its radius, smoothly to nothing at its
+// width to either side and at the middle itself.
+vec2 bent(vec2 place) {
+  vec2 moved = vec2(0);
+  for (int i = 0; i < cuts.z; ++i) {
+    vec4 bend = bends[2 * i];
+    vec2 from = place - bend.xy;
+    float away = length(from), off = min(abs(away - bend.z) / bend.w, 1.0);
+    float profile = (1 - off * off) * (1 - off * off);
+    moved += from * (bends[2 * i + 1].x * profile / max(away, bend.w * .5));
+  }
+  return moved;
 }
 
 void main() {
@@ -50,13 +68,20 @@ void main() {
   vec2 low = max(vec2(-past_m), camera.xy - inView - kTear_m);
   vec2 high = min(world.xy + past_m, camera.xy + inView + kTear_m);
   int section = gl_VertexID >> 1;
-  float share = float((section + 1) >> 1) / world.w;
+  float share = float((section + 1) >> 1) / float(cuts.x);
   float height = upright ? share : (middle - camera.y + inView.y) / (2 * inView.y);  // 0..1 up the screen
-  int band = upright ? section >> 1 : int(floor(height * world.w));
+  int band = upright ? (section >> 1) * cuts.y / cuts.x : int(floor(height * float(cuts.y)));
   along_m = upright ? clamp(camera.y + (2 * height - 1) * inView.y, low.y, high.y) : mix(low.x, high.x, share);
   float beside_m = ((gl_VertexID & 1) * 2 - 1) * pad_m;
   across_px = beside_m * pixelsPerMetre;
   vec2 place = upright ? vec2(middle + beside_m, along_m) : vec2(along_m, middle + beside_m);
+
+  stir = 0;
+  if (!wall && cuts.z > 0) {
+    vec2 moved = bent(upright ? vec2(middle, along_m) : vec2(along_m, middle));
+    place += moved;
+    stir = length(moved);
+  }
 
   // Tearing: now and then a band of the picture slips sideways.
   int beat = int(mood.w);

@@ -31,6 +31,7 @@ class ReplaySession {
         settings_(readPlayerSettings(settingsFile_)),
         loop_(options, settings_) {
     setComputing(config_, options);
+    config_.particles = true;
     run_.emplace(makeSimulation(device_, config_), std::nullopt);
     loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity(), device_.cuda);
     const uint32_t from = std::min(options.fromTick, replay_.ticks());

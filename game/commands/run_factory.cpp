@@ -28,6 +28,7 @@ RunFactory::RunFactory(const Options& options)
   config_.mode = options.mode;
   config_.enemies = options.enemies;
   setComputing(config_, options);
+  config_.particles = !options.headless || !options.screenshotPath.empty();  // somebody looks
   if (!options.recordPath.empty()) checkWritable(options.recordPath);  // before anybody has played for it
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "game/input/input_record.h"
+#include "game/sim/particle.h"
 #include "game/sim/rules.h"
 #include "game/sim/state_tables.h"
 #include "gpu/exec_options.h"
@@ -34,6 +35,10 @@ struct SimulationConfig {
   Autopilot autopilot = Autopilot::none;
   Gather gather = Gather::exact;
   Sort sort = Sort::bitonic;
+
+  // Sparks of what happens, for whoever draws. They cost a little of every tick, and no bit of the game
+  // depends on them.
+  bool particles = false;
 
   // How it is computed. None of this changes a single bit of the game.
   BroadPhase broadPhase = BroadPhase::ngrid;
@@ -119,6 +124,12 @@ struct DrawTarget {
   DrawArraysCommand* command = nullptr;
 };
 
+struct ParticleTarget {
+  ParticleVertex* vertices = nullptr;
+  uint32_t vertexCapacity = 0;
+  DrawArraysCommand* command = nullptr;
+};
+
 struct StageTime {
   std::string name;
   double total_ms = 0;
@@ -146,6 +157,13 @@ class Simulation {
 
   // Writes the sprites within the view, the most dangerous last, and the instance count. Not a tick stage.
   virtual void drawList(const DrawView& view, const DrawTarget& target) = 0;
+
+  // Writes the streaks of the particles within the view, the newest first, as they are when this many ticks
+  // (a share of one, and more once the run is over) have passed since the last tick. Leaves the target
+  // alone when the simulation was made without particles.
+  virtual void particleList(const DrawView& view, float sinceTick_ticks, const ParticleTarget& target) = 0;
+  // All that stand in the ring, the newest last; for tests that compare devices.
+  virtual std::vector<Particle> particles() const = 0;
 
   // The live enemy nearest to a place, within radius_m of it: all there is to know of one entity.
   virtual std::optional<EntityRecord> inspect(float x, float y, float radius_m) = 0;

@@ -4,6 +4,7 @@
 
 #include "game/sim/candidates.h"
 #include "game/sim/draw_list.h"
+#include "game/sim/particle_list.h"
 #include "game/sim/simulation.h"
 #include "game/sim/snapshot.h"
 #include "game/sim/step.h"
@@ -20,8 +21,12 @@ class DeviceSimulation final : public Simulation {
         state_(queue_, config),
         drawList_(queue_, state_.limits().capacity),
         candidates_(queue_, state_.limits().capacity) {
+    if (config_.particles) {
+      particles_ = Particles(queue_, state_.limits().capacity);
+      particleList_ = ParticleList(queue_, kParticleRing);
+    }
     for (uint32_t parity = 0; parity < 2; ++parity) {
-      graphs_[parity] = TickGraph(queue_, [this, parity] { step(queue_, state_, parity, config_.autopilot, timer_); });
+      graphs_[parity] = TickGraph(queue_, [this, parity] { runStages(parity); });
     }
   }
 
@@ -32,7 +37,7 @@ class DeviceSimulation final : public Simulation {
     state_.inputs.upload(&input, 1, launched_ % kTicksInFlight);
     const uint32_t parity = launched_ % 2;
     if (timing_) {
-      step(queue_, state_, parity, config_.autopilot, timer_);
+      runStages(parity);
     } else {
       graphs_[parity].replay(queue_);
     }
@@ -49,10 +54,22 @@ class DeviceSimulation final : public Simulation {
 
   Snapshot snapshot() override { return takeSnapshot(state_, next()); }
 
-  void restore(const Snapshot& snapshot) override { restoreSnapshot(queue_, state_, next(), snapshot); }
+  void restore(const Snapshot& snapshot) override {
+    restoreSnapshot(queue_, state_, next(), snapshot);
+    if (config_.particles) particles_.clear();  // they are no state: what flew belongs to another run
+  }
 
   void drawList(const DrawView& view, const DrawTarget& target) override {
     drawList_.run(queue_, next(), view, target);
+  }
+
+  void particleList(const DrawView& view, float sinceTick_ticks, const ParticleTarget& target) override {
+    if (!config_.particles) return;
+    particleList_.run(queue_, next(), particles_.view(launched_), view, sinceTick_ticks, target);
+  }
+
+  std::vector<Particle> particles() const override {
+    return config_.particles ? particles_.list(launched_) : std::vector<Particle>();
   }
 
   std::optional<EntityRecord> inspect(float x, float y, float radius_m) override {
@@ -100,6 +117,10 @@ class DeviceSimulation final : public Simulation {
 #endif
 
  private:
+  void runStages(uint32_t parity) {
+    step(queue_, state_, parity, config_.autopilot, timer_, config_.particles ? &particles_ : nullptr);
+  }
+
   // What the next tick will see: its cells are where the last tick ended.
   View next() const {
     return state_.view(launched_ % 2);
@@ -110,6 +131,8 @@ class DeviceSimulation final : public Simulation {
   GameState state_;
   StageTimer timer_;
   DrawList drawList_;
+  Particles particles_;
+  ParticleList particleList_;
   Candidates candidates_;
   TickGraph graphs_[2];
   uint32_t launched_ = 0, read_ = 0;

@@ -69,6 +69,8 @@ enum Purpose : uint32_t {
   kPurposeScatter = 4,    // (tick, id) how bits fly apart
   kPurposeEndless = 5,    // (tick, group) type and pattern of endless waves
   kPurposeAutopilot = 6,  // (tick) aiming error
+  // For looks only, from here on.
+  kPurposeParticles = 64,  // (tick, source, ., particle of its burst) way, speed, life and size of a spark
 };
 
 // Launches with the search that was asked for: launch(search) with a RowGather or a BruteForce.

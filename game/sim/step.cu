@@ -3,7 +3,7 @@
 
 namespace gw::GW_DEVICE {
 
-void step(Queue& queue, GameState& state, uint32_t parity, Autopilot who, StageTimer& timer) {
+void step(Queue& queue, GameState& state, uint32_t parity, Autopilot who, StageTimer& timer, Particles* particles) {
   const View v = state.view(parity);
   timer.time(queue, "autopilot", [&] { autopilot(queue, v, who); });
   timer.time(queue, "logic", [&] { logic(queue, v); });
@@ -14,6 +14,7 @@ void step(Queue& queue, GameState& state, uint32_t parity, Autopilot who, StageT
   timer.time(queue, "collide", [&] { collide(queue, v); });
   timer.time(queue, "settle", [&] { settle(queue, v); });
   timer.time(queue, "hash", [&] { hash(queue, v, state.hashSum()); });
+  if (particles) timer.time(queue, "particles", [&] { particles->emit(queue, v, parity); });
 }
 
 }  // namespace gw::GW_DEVICE

@@ -1,12 +1,13 @@
 // One tick of the game.
 #pragma once
 
+#include "game/sim/particles.h"
 #include "game/sim/state.h"
 #include "gpu/stage_timer.h"
 
 namespace gw::GW_DEVICE {
 
-// Launches every stage of the tick with this parity (tick number modulo 2).
-void step(Queue& queue, GameState& state, uint32_t parity, Autopilot who, StageTimer& timer);
+// Launches every stage of the tick with this parity (tick number modulo 2). `particles` may be null: none.
+void step(Queue& queue, GameState& state, uint32_t parity, Autopilot who, StageTimer& timer, Particles* particles);
 
 }  // namespace gw::GW_DEVICE

@@ -69,7 +69,7 @@ TEST_F(VertexStreamRing, hasThreeRegionsThatDoNotOverlap) {
   for (uint32_t i = 0; i < 2 * SpriteStream::kRegions; ++i) {
     const StreamRegion region = stream.begin();
     EXPECT_EQ(region.capacity, kCapacity);
-    EXPECT_EQ(region.command->vertexCount, SpriteStream::kQuadVertices);
+    EXPECT_EQ(region.command->vertexCount, SpriteStream::kDrawNothing.vertexCount);
     EXPECT_EQ(region.command->instanceCount, 0u);
     region.command->instanceCount = 7;  // left behind for whoever comes round next
     offsets.push_back(region.vertexOffset_bytes);
