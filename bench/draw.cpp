@@ -23,6 +23,7 @@
 #include "bench/machine.h"
 #include "render/gl_context_egl.h"
 #include "render/grid_pass.h"
+#include "render/particle_pass.h"
 #include "render/sprite_pass.h"
 #include "render/vertex_stream.h"
 
@@ -79,13 +80,35 @@ std::vector<SpriteVertex> sprites(uint32_t count, float diameter_px) {
   return all;
 }
 
+// Streaks as a burst leaves them after a few ticks.
+std::vector<ParticleVertex> particles(uint32_t count) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> side(-1, 1);
+  std::vector<ParticleVertex> all;
+  for (uint32_t i = 0; i < count; ++i) {
+    const float x = kCamera.centre_x + side(random) * kCamera.halfWidth_m;
+    const float y = kCamera.centre_y + side(random) * kCamera.halfHeight_m;
+    all.push_back({x, y, x + side(random), y + side(random), .1f, .8f, 0x40C0FFu + i * 7919u % 0xFFFFu});
+  }
+  return all;
+}
+
 std::string measure(int frames) {
   const auto context = makeEglContext(kSize);
   const std::filesystem::path assets = std::filesystem::path(GW_SOURCE_DIR) / "assets";
   SpritePass pass(assets);
   GridPass grid(assets);
-  const auto drawGrid = [&](float unrest) {
-    return [&grid, unrest] { grid.draw({.camera = kCamera, .target = kSize, .time_s = 1, .unrest = unrest}); };
+  ParticlePass particlePass(assets);
+  std::vector<GridBend> bends;
+  for (int i = 0; i < kMaxGridBends; ++i) bends.push_back({kCamera.centre_x + float(i), kCamera.centre_y, 5, 4, .5f});
+  const auto drawGrid = [&](float unrest, size_t bent = 0) {
+    return [&grid, &bends, unrest, bent] {
+      grid.draw({.camera = kCamera,
+                 .target = kSize,
+                 .time_s = 1,
+                 .unrest = unrest,
+                 .bends = std::span<const GridBend>(bends).first(bent)});
+    };
   };
 
   std::ostringstream table;
@@ -96,7 +119,23 @@ std::string measure(int frames) {
         << machineLine() << " OpenGL: " << context->rendererName() << ". Command: `gw_bench_draw --frames " << frames
         << "`\n\n";
   table << "| what | ms |\n|---|---|\n| grid, calm | " << medianFrame(frames, *context, drawGrid(0))
-        << " |\n| grid, torn | " << medianFrame(frames, *context, drawGrid(1)) << " |\n\n";
+        << " |\n| grid, torn | " << medianFrame(frames, *context, drawGrid(1)) << " |\n| grid, bent by one | "
+        << medianFrame(frames, *context, drawGrid(0, 1)) << " |\n| grid, bent by all " << bends.size() << " | "
+        << medianFrame(frames, *context, drawGrid(0, bends.size())) << " |\n";
+  for (const uint32_t count : {512u, 3072u}) {
+    MappedStream<ParticleVertex> stream(count);
+    const std::vector<ParticleVertex> scene = particles(count);
+    table << "| grid and " << count << " particles | " << medianFrame(frames, *context, [&] {
+      drawGrid(0)();
+      const ParticleRegion region = stream.begin();
+      std::memcpy(region.vertices, scene.data(), scene.size() * sizeof(ParticleVertex));
+      region.command->instanceCount = count;
+      stream.written();
+      particlePass.draw(region, {kCamera, kSize});
+      stream.end();
+    }) << " |\n";
+  }
+  table << '\n';
   table << "Grid and sprites, by glow:\n\n| sprites | across | off | low | high |\n|---|---|---|---|---|\n";
   for (const uint32_t count : {2048u, 8192u}) {
     VertexStream stream(count);

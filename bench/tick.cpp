@@ -42,6 +42,7 @@ SimulationConfig configFor(uint32_t enemies, uint32_t threads, bool swarm) {
   config.rules = loadRules(readRuleTexts(GW_ASSETS_DIR));
   config.enemies = enemies;
   config.threads = threads;
+  config.particles = true;  // as in a window; they are a stage of their own in the table
   Rules& rules = config.rules;
   rules.waveCount = 0;
   rules.endless.from_ticks = ~0u;

@@ -18,8 +18,9 @@ enum Uniform : GLint {
 
 constexpr float kStep_m = 4;  // as in grid.vert
 constexpr int kWalls = 4;
-constexpr int kBands = 22;         // of the screen that tear as one: about 33 pixels each at 720
-constexpr int kBentPieces = 88;    // a line bends in pieces of at most a metre; a multiple of kBands
+constexpr int kBands = 22;  // of the screen that tear as one: about 33 pixels each at 720
+// Lines bend in pieces of about a metre.
+constexpr int kBentPieces = 72, kBentPiecesOfABand = 4;
 constexpr float kFlicker_hz = 14;  // slower looks like a fault, faster like noise
 constexpr float kCalm = .01f;      // below this nothing tears: the screen is one band
 
@@ -46,7 +47,7 @@ void GridPass::draw(const GridFrame& frame) {
   const Range level = linesInView(camera.centre_y, camera.halfHeight_m, frame.worldHeight_m);
   const int bands = unrest < kCalm ? 1 : kBands;
   const int bends = int(std::min(frame.bends.size(), size_t(kMaxGridBends)));
-  const int pieces = bends > 0 ? kBentPieces : bands;
+  const int pieces = bends == 0 ? 1 : bands == 1 ? kBentPieces : kBentPiecesOfABand;
 
   glClearColor(.010f * frame.brightness, .013f * frame.brightness, .032f * frame.brightness, 1);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -69,7 +70,7 @@ void GridPass::draw(const GridFrame& frame) {
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   glBindVertexArray(vertexArray_.get());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4 * pieces, upright.count + level.count + kWalls);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * bands * (pieces + 1), upright.count + level.count + kWalls);
   checkGl("drawing the grid");
 }
 

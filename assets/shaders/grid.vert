@@ -3,13 +3,13 @@
 // unrest can tear the bands apart, and short ones where lines bend. Instances in order: upright lines, level lines,
 // the four walls (left, right, bottom, top).
 //
-//   sections of an upright line, two pieces:   0--1 2--3   (1 and 2 are one place in two pieces)
+//   sections of an upright line, two bands of two pieces:   0--1--2 3--4--5   (2 and 3 are one place in two bands)
 
 layout(location = 0) uniform vec4 camera;  // centre in metres; 1 / half extents
 layout(location = 1) uniform vec4 world;   // width and height of the world in metres; pixels per metre
 layout(location = 2) uniform ivec4 lines;  // first upright, upright count, first level, level count
 layout(location = 3) uniform vec4 mood;    // time in seconds; unrest; brightness; time step of the flicker
-layout(location = 4) uniform ivec3 cuts;   // pieces per line; bands of the screen; bends
+layout(location = 4) uniform ivec3 cuts;   // pieces per band; bands of the screen; bends
 layout(location = 8) uniform vec4 bends[32];  // two per bend: place, radius, width; strength (all in metres)
 
 out float across_px;                    // from the middle of the line
@@ -68,9 +68,10 @@ void main() {
   vec2 low = max(vec2(-past_m), camera.xy - inView - kTear_m);
   vec2 high = min(world.xy + past_m, camera.xy + inView + kTear_m);
   int section = gl_VertexID >> 1;
-  float share = float((section + 1) >> 1) / float(cuts.x);
+  int slice = section / (cuts.x + 1);
+  float share = float(section - slice) / float(cuts.x * cuts.y);
   float height = upright ? share : (middle - camera.y + inView.y) / (2 * inView.y);  // 0..1 up the screen
-  int band = upright ? (section >> 1) * cuts.y / cuts.x : int(floor(height * float(cuts.y)));
+  int band = upright ? slice : int(floor(height * float(cuts.y)));
   along_m = upright ? clamp(camera.y + (2 * height - 1) * inView.y, low.y, high.y) : mix(low.x, high.x, share);
   float beside_m = ((gl_VertexID & 1) * 2 - 1) * pad_m;
   across_px = beside_m * pixelsPerMetre;

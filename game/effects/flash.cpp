@@ -7,7 +7,7 @@ namespace gw {
 namespace {
 
 constexpr float kContact_ticks = 30, kFlush_ticks = 18;  // until it is dark again
-constexpr Rgba kContact = rgbaOf(0xFF2038, 0.55f), kFlush = rgbaOf(0x9FD8FF, 0.26f);
+constexpr Rgba kContact = rgbaOf(0xFF2038, 0.48f), kFlush = rgbaOf(0x9FD8FF, 0.26f);
 
 }  // namespace
 

@@ -26,7 +26,7 @@ void GridBends::add(const TickReport& report) {
     start({pop.x, pop.y, report.tick, 18, 2.4f + 1.8f * weight, 0.4f + 1.2f * weight, 0.3f + 0.25f * weight});
   }
   if (report.contactType != kTypeNone) {
-    start({report.ship_x, report.ship_y, report.tick, 34, 5, 3, 0.8f});
+    start({report.ship_x, report.ship_y, report.tick, 34, 6, 2.7f, 0.8f});
   }
   if (report.sounds[uint32_t(SoundEvent::flush)][1] > 0) {
     start({report.flush_x, report.flush_y, report.tick, report.flushRadius_m / kTick_s, 5, 2.6f, 0.6f});
