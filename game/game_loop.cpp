@@ -45,7 +45,10 @@ float aspectOf(PixelSize size) {
 }  // namespace
 
 GameLoop::GameLoop(const Options& options, const Settings& settings)
-    : sound_(settings.sound), mute_(options.mute), fullscreen_(options.fullscreen || settings.fullscreen) {
+    : effects_(settings.effects),
+      sound_(settings.sound),
+      mute_(options.mute),
+      fullscreen_(options.fullscreen || settings.fullscreen) {
   catchInterrupts();  // Ctrl-C closes the window, so that recordings are kept
   chooseDisplay();
   WindowOptions window;
@@ -77,6 +80,7 @@ void GameLoop::prepare(const std::filesystem::path& assets, uint32_t capacity, b
 void GameLoop::apply(const Settings& settings) {
   input_.setBindings(settings.bindings);
   input_.setDeadZones(settings.pad.moveDeadZone, settings.pad.aimDeadZone);
+  effects_ = settings.effects;
   if (settings.fullscreen != fullscreen_) context_->setFullscreen(fullscreen_ = settings.fullscreen);
   if (settings.sound.muted != sound_.muted) mute(settings.sound.muted);
   sound_ = settings.sound;

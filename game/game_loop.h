@@ -47,9 +47,6 @@ class GameLoop {
   // Draws the run and the screens over it, shows the picture, and waits where the screen does not.
   void endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens);
 
-  // What the player wants to see of it; from the next frame on.
-  void setEffects(const Settings::Effects& effects) { effects_ = effects; }
-
   // Another run begins: its camera and its clock start afresh.
   void startAfresh(Run& run);
   void showCursor(bool on);
@@ -76,7 +73,7 @@ class GameLoop {
   std::unique_ptr<PadDevices> pads_;
   PlayerInput input_;
   TickPacer pacer_;
-  Settings::Effects effects_{};
+  Settings::Effects effects_;
   double now_s_ = 0, last_s_ = 0;
   double nextFrame_s_ = 0, period_s_ = 1.0 / 60;
   double countedSince_s_ = 0, realFps_ = 0;
