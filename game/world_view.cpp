@@ -20,8 +20,8 @@ constexpr uint32_t kSpareSprites = 64;  // the ship and what else is no entity
 constexpr float kBlastShown_ticks = 24;
 constexpr float kEdge_m = 3;  // sprites reach into view from outside, and move between ticks
 
-// How many particles are drawn at most: all that a device may hold where there is a GPU; where the processor
-// draws, as many as cost it less than a tenth of a frame.
+// How many particles are drawn at most: all there are where there is a GPU; without one as many as cost 7 ms of
+// processor time (docs/effects.md). A busy fight has 500 in view.
 constexpr uint32_t kParticlesDrawn = 16384, kParticlesDrawnWithoutGpu = 3072;
 
 template <class Vertex>
