@@ -54,6 +54,33 @@ TEST(game_naive, the_last_seconds_are_the_same) {
   playBoth(config, world, 600);
 }
 
+TEST(game_naive, the_deadline_is_the_same) {
+  SimulationConfig config = stageConfig();
+  config.mode = Mode::deadline;
+  config.autopilot = Autopilot::novice;
+  naive::World world = StageFixture(config).emptyWorld();
+  world.master.tick = world.master.waveClock_ticks = 6000;
+  world.master.wave = 10;
+  world.master.clock_ticks = 500;
+  Dice dice(9);
+  addCrowd(world, 120, 20, 90, 12.0f, dice);
+  playBoth(config, world, 520);
+}
+
+TEST(game_naive, a_swarm_is_the_same) {
+  SimulationConfig config = stageConfig();
+  config.mode = Mode::swarm;
+  config.autopilot = Autopilot::expert;
+  playBoth(config, StageFixture(config).emptyWorld(), 400);
+}
+
+TEST(game_naive, practice_is_the_same) {
+  SimulationConfig config = stageConfig();
+  config.mode = Mode::practice;
+  config.autopilot = Autopilot::expert;  // asks for company itself
+  playBoth(config, StageFixture(config).emptyWorld(), 900);
+}
+
 TEST(game_naive, endless_waves_that_do_not_fit_are_the_same) {
   SimulationConfig config = stageConfig(128);
   config.autopilot = Autopilot::expert;
