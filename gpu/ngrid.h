@@ -12,7 +12,7 @@
 //   5 the N-dimensions multiply to n          6 each line is ordered along its axis
 //   7 one N-radius per axis                   8 the N-radius is fixed or adaptive
 // 6 holds for rows after every maintain(); columns are misaligned by what the row pass moved. 7 and 8
-// speak of windowed gathering; the exact gather of row_gather.h needs no N-radius.
+// speak of windowed gathering (window_gather.h); the exact gather of row_gather.h needs no N-radius.
 //
 // Ties are broken by the other axis, then by id, so the order of a line is unique on every device.
 #pragma once
@@ -38,6 +38,10 @@ struct NDimensions {
 // std::invalid_argument when n does not fit kLongestLine squared.
 NDimensions chooseDimensions(uint32_t n);
 
+// The same for windowed gathers: columns to rows as `aspect`, the world's width to its height, so that n
+// entities spread over the world stand as far apart along a row as along a column. aspect in (0, infinity).
+NDimensions chooseWindowDimensions(uint32_t n, float aspect);
+
 // What kernels see. Copy it into a kernel by value.
 struct NGridView {
   const Cell* cells;  // [rows * columns], row by row
@@ -61,14 +65,25 @@ class NGrid {
   // Upkeep after motion: sorts each column by y, then each row by x, and refreshes the rows' intervals.
   // d_cellOf[id] becomes the cell of that id (ids are 0 .. cells - 1, each in exactly one cell). One pass
   // per axis: O(n log^2 n) bitonic on cuda; on cpu insertion, O(n) for the small motion of one tick.
-  void maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+  // Nothing is done while the word at d_hold (if any) is not 0: a captured tick cannot leave a launch out.
+  void maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
+
+  // Upkeep by partial odd-even transposition: one odd and one even pass along each axis, O(n). An entity moves
+  // by at most two cells per axis, so one that is far from its place takes many calls to reach it; repeated
+  // calls without motion end with every line in order. Rows are not in order after one call and their
+  // intervals are not refreshed: for windowed gathers only.
+  void transpose(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
+
+  // maintain() until hardly anything moves: the start that windowed gathers need. The full sort below leads
+  // to another stable state, in which a window misses half of the neighbours.
+  void settle(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
 
   // The full sort: all cells by y, cut into rows, each row by x (the packing of sort-tile-recursive
   // R-trees). For a start from an arbitrary arrangement; O(n log n).
   void rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
 
  private:
-  void sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+  void sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold);
 
   NDimensions dimensions_;
   Buffer<float> low_, high_, reachHigh_, reachLow_;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -18,10 +19,12 @@ struct SortColumns {
     Cell line[kTile][kLongestLine];
   };
   Cell* cells;
+  const uint32_t* hold;
   NDimensions dimensions;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
+    if (hold && *hold) return;  // all teams alike
     const uint32_t first = team.index * kTile, columns = dimensions.columns, rows = dimensions.rows;
     const uint32_t tile = columns - first < kTile ? columns - first : kTile;
     team.phase([&](uint32_t lane) {
@@ -50,10 +53,12 @@ struct SortRows {
   uint32_t* cellOf;
   float *low, *high;
   uint32_t* living;
+  const uint32_t* hold;
   uint32_t columns;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
+    if (hold && *hold) return;
     const uint32_t begin = team.index * columns;
     team.phase([&](uint32_t lane) {
       for (uint32_t c = lane; c < columns; c += kLanes) s.line[c] = cells[begin + c];
@@ -162,6 +167,18 @@ NDimensions chooseDimensions(uint32_t n) {
   return found;
 }
 
+NDimensions chooseWindowDimensions(uint32_t n, float aspect) {
+  if (!(aspect > 0.0f && aspect < kInfinity)) throw std::invalid_argument("A world has a width and a height.");
+  const double wanted = std::sqrt(double(n) * double(aspect)) + 0.5;
+  uint32_t columns = wanted < 1.0 ? 1 : wanted > kLongestLine ? kLongestLine : uint32_t(wanted);
+  columns = larger(columns, n / kLongestLine + (n % kLongestLine ? 1 : 0));  // a world too tall for its rows
+  if (columns > kLongestLine) {
+    throw std::invalid_argument("An NGrid of " + std::to_string(n) + " cells is too large: at most " +
+                                std::to_string(kLongestLine * kLongestLine) + " fit; use fewer entities.");
+  }
+  return {columns, larger(n / columns + (n % columns ? 1 : 0), 1u)};
+}
+
 // Before anything is allocated for them, and while their product may not fit 32 bits.
 static NDimensions checked(NDimensions dimensions) {
   if (dimensions.columns == 0 || dimensions.columns > kLongestLine || dimensions.rows == 0 ||
@@ -186,10 +203,15 @@ NGridView NGrid::view(const Cell* d_cells) const {
           high_.data(), living_.data(),      reachHigh_.data(), reachLow_.data()};
 }
 
-void NGrid::maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
+void NGrid::maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
   constexpr uint32_t kTile = SortColumns::kTile;
-  forEachTeam(queue, (dimensions_.columns + kTile - 1) / kTile, SortColumns{d_cells, dimensions_});
-  sortRows(queue, d_cells, d_cellOf);
+  forEachTeam(queue, (dimensions_.columns + kTile - 1) / kTile, SortColumns{d_cells, d_hold, dimensions_});
+  sortRows(queue, d_cells, d_cellOf, d_hold);
+}
+
+void NGrid::settle(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
+  constexpr uint32_t kRounds = 16;  // uniform data come to rest in 8 to 13
+  for (uint32_t round = 0; round < kRounds; ++round) maintain(queue, d_cells, d_cellOf);
 }
 
 void NGrid::rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
@@ -198,12 +220,12 @@ void NGrid::rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
   byY_.run(queue);
   forEach(queue, all, CopyCells{scratch_.data(), d_cells});
   forEach(queue, all, TakeByKeys{d_cells, scratch_.data(), byY_.keys()});
-  sortRows(queue, d_cells, d_cellOf);
+  sortRows(queue, d_cells, d_cellOf, nullptr);
 }
 
-void NGrid::sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
+void NGrid::sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
   forEachTeam(queue, dimensions_.rows,
-              SortRows{d_cells, d_cellOf, low_.data(), high_.data(), living_.data(), dimensions_.columns});
+              SortRows{d_cells, d_cellOf, low_.data(), high_.data(), living_.data(), d_hold, dimensions_.columns});
   forEachTeam(queue, 1, FindReach{reachHigh_.data(), reachLow_.data(), high_.data(), low_.data(), dimensions_.rows});
 }
 

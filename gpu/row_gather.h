@@ -27,8 +27,8 @@ struct RowGather {
     return visitRows(firstRow(y, radius), x, y, radius, visit);
   }
 
-  // The same for an asker that stands in the grid itself, in cell `index`. Windowed searches
-  // start from the cell; an exact one finds the same set wherever it starts.
+  // The same for an asker that stands in the grid itself, in cell `index`: what windowed searches start from
+  // (window_gather.h). An exact one finds the same set wherever it starts.
   template <class Visitor>
   GW_MEMBER uint32_t around(uint32_t, float x, float y, float radius, Visitor&& visit) const {
     return (*this)(x, y, radius, visit);

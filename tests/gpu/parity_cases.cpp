@@ -91,7 +91,8 @@ Words upkeepOf(const Probes& device, const ExecOptions& options, Upkeep upkeep) 
     for (uint32_t layout = 0; layout < kLayouts; ++layout) {
       auto state = device.upkeep(options, shape, makeCells({Layout(layout), shape, 10, ++seed}), upkeep);
       moveCells(state.cells, 1.0f, ++seed);
-      const Words after = wordsOf(device.upkeep(options, shape, state.cells, Upkeep::maintain));
+      const Upkeep next = upkeep == Upkeep::transpose ? Upkeep::transpose : Upkeep::maintain;
+      const Words after = wordsOf(device.upkeep(options, shape, state.cells, next));
       words.insert(words.end(), after.begin(), after.end());
     }
   }
@@ -108,6 +109,21 @@ Words gathers(const Probes& device, const ExecOptions& options, Method method) {
     append(words, gathered.found);
     append(words, gathered.visits);
     append(words, gathered.tested);
+  }
+  return words;
+}
+
+Words gathersAround(const Probes& device, const ExecOptions& options, Around method) {
+  Words words;
+  uint64_t seed = 200;
+  for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+    const CellSpec spec{Layout(layout), {37, 22}, 15, ++seed};
+    for (const float radius : {0.3f, 5.0f, 1e30f}) {
+      const Gathered gathered = device.gatherAround(options, spec.shape, makeCells(spec), radius, method);
+      append(words, gathered.found);
+      append(words, gathered.visits);
+      append(words, gathered.tested);
+    }
   }
   return words;
 }
@@ -194,6 +210,16 @@ std::vector<ParityCase> makeCases() {
   add("Rebuild", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::rebuild); });
   add("RowGather", [](const Probes& device, Options options) { return gathers(device, options, Method::rows); });
   add("BruteForce", [](const Probes& device, Options options) { return gathers(device, options, Method::bruteForce); });
+  add("Transpose", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::transpose); });
+  add("Settle", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::settle); });
+  add("AroundByRows",
+      [](const Probes& device, Options options) { return gathersAround(device, options, Around::rows); });
+  add("AroundByBruteForce",
+      [](const Probes& device, Options options) { return gathersAround(device, options, Around::bruteForce); });
+  add("FixedGather",
+      [](const Probes& device, Options options) { return gathersAround(device, options, Around::fixedWindow); });
+  add("AdaptiveGather",
+      [](const Probes& device, Options options) { return gathersAround(device, options, Around::adaptiveWindow); });
   return cases;
 }
 

@@ -1,5 +1,6 @@
 #include "gpu/brute_force.h"
 #include "gpu/row_gather.h"
+#include "gpu/window_gather.h"
 #include "tests/gpu/broken_gather.h"
 #include "tests/gpu/probe_parts.h"
 
@@ -74,10 +75,72 @@ test::Gathered gather(const ExecOptions& options, test::GridShape shape, const s
   return result;
 }
 
+// One item: one cell that asks.
+template <class Search>
+struct LookAround {
+  uint32_t *found, *visits, *tested;
+  const Cell* cells;
+  Search search;
+  float radius;
+  uint32_t wordsPerCell;
+
+  GW_BODY void operator()(uint32_t i) const {
+    const Cell self = cells[i];
+    uint32_t* mine = found + i * wordsPerCell;
+    uint32_t count = 0;
+    visits[i] = tested[i] = 0;
+    if (!isLiving(self.x)) return;
+    const auto visit = [&](const Cell& cell, uint32_t index, float dx, float dy) {
+      mine[cell.id / 32] |= 1u << cell.id % 32;
+      const bool right = cells[index].id == cell.id && dx == cell.x - self.x && dy == cell.y - self.y;
+      count += right ? 1 : 1000000;
+    };
+    const uint32_t all = search.around(i, self.x, self.y, radius, visit);
+    visits[i] = count;
+    const uint32_t later = search.after(i, self.x, self.y, radius, [](const Cell&, uint32_t, float, float) {});
+    tested[i] = all + 65536 * later;
+  }
+};
+
+test::Gathered gatherAround(const ExecOptions& options, test::GridShape shape, const std::vector<Cell>& start,
+                            float radius, test::Around method) {
+  Queue queue(options);
+  NGrid grid(queue, {shape.columns, shape.rows});
+  auto cells = uploaded(queue, start);
+  const uint32_t n = shape.cells(), words = (n + 31) / 32;
+  Buffer<uint32_t> cellOf(queue, n), found(queue, size_t(n) * words), visits(queue, n), tested(queue, n);
+  found.upload(std::vector<uint32_t>(size_t(n) * words));
+  grid.maintain(queue, cells.data(), cellOf.data());
+  const auto run = [&](auto search) {
+    forEach(
+        queue, Count{n},
+        LookAround<decltype(search)>{found.data(), visits.data(), tested.data(), cells.data(), search, radius, words});
+  };
+  const NGridView view = grid.view(cells.data());
+  switch (method) {
+    case test::Around::rows:
+      run(RowGather{view});
+      break;
+    case test::Around::bruteForce:
+      run(BruteForce{cells.data(), n});
+      break;
+    case test::Around::fixedWindow:
+      run(FixedGather{view});
+      break;
+    case test::Around::adaptiveWindow:
+      run(AdaptiveGather{view});
+      break;
+  }
+  test::Gathered result{found.download(), visits.download(), tested.download()};
+  countLaunches(4);
+  return result;
+}
+
 }  // namespace
 
 void addGatherProbes(test::Probes& probes) {
   probes.gather = gather;
+  probes.gatherAround = gatherAround;
 }
 
 }  // namespace gw::GW_DEVICE

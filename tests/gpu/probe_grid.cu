@@ -60,10 +60,20 @@ test::GridState upkeep(const ExecOptions& options, test::GridShape shape, const 
   cellOf.upload(std::vector<uint32_t>(start.size(), 0xFFFFFFFFu));
   Buffer<float> low(queue, shape.rows), high(queue, shape.rows), reachHigh(queue, shape.rows),
       reachLow(queue, shape.rows);
-  if (upkeep == test::Upkeep::maintain) {
-    grid.maintain(queue, cells.data(), cellOf.data());
-  } else {
-    grid.rebuild(queue, cells.data(), cellOf.data());
+  switch (upkeep) {
+    case test::Upkeep::maintain:
+      grid.maintain(queue, cells.data(), cellOf.data());
+      break;
+    case test::Upkeep::rebuild:
+      grid.rebuild(queue, cells.data(), cellOf.data());
+      break;
+    case test::Upkeep::settle:
+      grid.settle(queue, cells.data(), cellOf.data());
+      break;
+    case test::Upkeep::transpose:
+      grid.transpose(queue, cells.data(), cellOf.data());
+      countLaunches(5);
+      return {cells.download(), cellOf.download(), {}, {}, {}, {}, {}};
   }
   forEach(queue, Count{shape.rows},
           CopyRows{low.data(), high.data(), reachHigh.data(), reachLow.data(), living.data(), grid.view(cells.data())});

@@ -18,9 +18,9 @@ struct GridShape {
   uint32_t cells() const { return columns * rows; }
 };
 
-enum class Upkeep : uint32_t { maintain, rebuild };
+enum class Upkeep : uint32_t { maintain, rebuild, transpose, settle };
 
-// Everything that NGrid upkeep leaves behind.
+// Everything that NGrid upkeep leaves behind. A transposition leaves nothing about the rows.
 struct GridState {
   std::vector<Cell> cells;
   std::vector<uint32_t> cellOf, living;
@@ -31,7 +31,7 @@ struct Query {
   float x, y, radius;
 };
 
-// The last four have one planted mistake each (broken_gather.h); noMistake is the same code without it.
+// Those after noMistake have one planted mistake each (broken_gather.h); noMistake is the same code without it.
 enum class Method : uint32_t {
   rows,
   bruteForce,
@@ -41,6 +41,9 @@ enum class Method : uint32_t {
   stopsBeforeBoundary,
   trustsRowOrder,
 };
+
+// How a cell of the grid asks for what is around it.
+enum class Around : uint32_t { rows, bruteForce, fixedWindow, adaptiveWindow };
 
 struct Gathered {
   std::vector<uint32_t> found;   // [query][id / 32] a bit for each neighbour
@@ -76,6 +79,9 @@ struct Probes {
   GridState (*upkeep)(const ExecOptions&, GridShape, const std::vector<Cell>&, Upkeep);
   // Maintains, then searches.
   Gathered (*gather)(const ExecOptions&, GridShape, const std::vector<Cell>&, const std::vector<Query>&, Method);
+  // Maintains, then lets every living cell look around itself, and at what comes after it: found and visits are
+  // [cell] of the first, tested of both.
+  Gathered (*gatherAround)(const ExecOptions&, GridShape, const std::vector<Cell>&, float radius, Around);
 };
 
 // Kernels that probes have launched on a real CUDA device.

@@ -116,6 +116,31 @@ test::GridState upkeep(test::GridShape shape, std::vector<Cell> cells, test::Upk
   return state;
 }
 
+std::vector<Cell> transpose(test::GridShape shape, std::vector<Cell> cells) {
+  const auto at = [&](uint32_t row, uint32_t column) -> Cell& { return cells[row * shape.columns + column]; };
+  for (uint32_t start : {1u, 0u}) {
+    for (uint32_t column = 0; column < shape.columns; ++column) {
+      for (uint32_t row = start; row + 1 < shape.rows; row += 2) {
+        std::vector<Cell> pair{at(row, column), at(row + 1, column)};
+        sortByY(pair);
+        at(row, column) = pair[0];
+        at(row + 1, column) = pair[1];
+      }
+    }
+  }
+  for (uint32_t start : {1u, 0u}) {
+    for (uint32_t row = 0; row < shape.rows; ++row) {
+      for (uint32_t column = start; column + 1 < shape.columns; column += 2) {
+        std::vector<Cell> pair{at(row, column), at(row, column + 1)};
+        sortByX(pair);
+        at(row, column) = pair[0];
+        at(row, column + 1) = pair[1];
+      }
+    }
+  }
+  return cells;
+}
+
 std::vector<uint32_t> neighbours(const std::vector<Cell>& cells, test::Query query) {
   std::vector<uint32_t> ids;
   for (const Cell& cell : cells) insertIfNear(ids, cell, {query.x, query.y, 0, 0}, query.radius);

@@ -20,6 +20,9 @@ void sortByY(std::vector<Cell>& line);
 // The whole of upkeep, and what it says about the rows of an arrangement.
 test::GridState upkeep(test::GridShape shape, std::vector<Cell> cells, test::Upkeep upkeep);
 
+// One call of partial odd-even transposition: an odd and an even pass down every column, then along every row.
+std::vector<Cell> transpose(test::GridShape shape, std::vector<Cell> cells);
+
 // Ids of the living within the radius, ascending: the neighbour test on every cell.
 std::vector<uint32_t> neighbours(const std::vector<Cell>& cells, test::Query query);
 

@@ -1,0 +1,133 @@
+// Partial odd-even transposition: the passes of its oracle, cell by cell; order never gets worse, and comes by itself.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "gpu/ngrid.h"
+#include "tests/gpu/random_cells.h"
+#include "tests/naive/gpu_oracles.h"
+
+namespace gw::test {
+namespace {
+
+const Probes kDevice = cpu::probes();
+
+std::vector<uint32_t> idsOf(const std::vector<Cell>& cells) {
+  std::vector<uint32_t> ids;
+  for (const Cell& cell : cells) ids.push_back(cell.id);
+  return ids;
+}
+
+GridState transposed(GridShape shape, const std::vector<Cell>& cells) {
+  return kDevice.upkeep({2}, shape, cells, Upkeep::transpose);
+}
+
+constexpr GridShape kShapes[] = {{1, 1}, {1, 2},   {2, 1},   {1, 9},   {9, 1},    {2, 2},
+                                 {3, 2}, {16, 16}, {48, 13}, {7, 200}, {2048, 2}, {2, 2048}};
+
+TEST(OddEven, MakesThePassesOfItsOracle) {
+  uint64_t seed = 1;
+  for (const GridShape& shape : kShapes) {
+    for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+      for (const uint32_t dead : {0u, 30u, 100u}) {
+        const CellSpec spec{Layout(layout), shape, dead, ++seed};
+        auto cells = makeCells(spec);
+        for (int tick = 0; tick < 3; ++tick) {
+          const auto expected = naive::transpose(shape, cells);
+          const GridState state = transposed(shape, cells);
+          ASSERT_EQ(idsOf(state.cells), idsOf(expected)) << spec;
+          for (uint32_t i = 0; i < shape.cells(); ++i) {
+            ASSERT_EQ(state.cellOf[state.cells[i].id], i) << spec;
+            ASSERT_TRUE(state.cells[i].x == expected[i].x && state.cells[i].y == expected[i].y &&
+                        state.cells[i].type == expected[i].type)
+                << spec;
+          }
+          cells = state.cells;
+        }
+      }
+    }
+  }
+}
+
+// Pairs of a row or column that stand the wrong way round.
+uint64_t inversions(const std::vector<Cell>& line, bool byX) {
+  uint64_t count = 0;
+  for (size_t i = 0; i < line.size(); ++i) {
+    for (size_t j = i + 1; j < line.size(); ++j) {
+      std::vector<Cell> pair{line[i], line[j]};
+      byX ? naive::sortByX(pair) : naive::sortByY(pair);
+      count += pair[0].id != line[i].id;
+    }
+  }
+  return count;
+}
+
+RC_GTEST_PROP(OddEven, NeverDisordersALineAndPutsItInOrder, ()) {
+  const uint32_t n = *rc::gen::inRange(2u, 40u);
+  const bool byX = *rc::gen::arbitrary<bool>();
+  const GridShape shape = byX ? GridShape{n, 1} : GridShape{1, n};
+  auto cells = makeCells({Layout(*rc::gen::inRange(0u, kLayouts)), shape, *rc::gen::element(0u, 30u, 100u),
+                          *rc::gen::arbitrary<uint64_t>()});
+  uint64_t before = inversions(cells, byX);
+  uint32_t calls = 0;
+  while (before > 0) {
+    cells = transposed(shape, cells).cells;
+    const uint64_t after = inversions(cells, byX);
+    RC_ASSERT(after < before);
+    before = after;
+    ++calls;
+  }
+  RC_ASSERT(calls <= n / 2 + 1);  // n passes sort n numbers, and a call makes two
+}
+
+// Every exchange raises the sum of column times x plus row times y: so lines never lose on both axes together
+// what they have gained, and repetition comes to an end.
+TEST(OddEven, OrderOfAWholeGridOnlyGrowsUntilEveryLineIsInOrder) {
+  const GridShape shape{24, 17};
+  auto cells = makeCells({Layout::uniform, shape, 0, 8});
+  const auto order = [&] {
+    double sum = 0;
+    for (uint32_t i = 0; i < shape.cells(); ++i) {
+      sum += double(i % shape.columns) * double(cells[i].x) + double(i / shape.columns) * double(cells[i].y);
+    }
+    return sum;
+  };
+  double before = order();
+  uint32_t calls = 0;
+  for (bool moving = true; moving && calls < 500; ++calls) {
+    const auto ids = idsOf(cells);
+    cells = transposed(shape, cells).cells;
+    moving = idsOf(cells) != ids;
+    const double after = order();
+    if (moving) {
+      ASSERT_GT(after, before);
+    }
+    before = after;
+  }
+  EXPECT_LT(calls, 500u);
+  // And what the full line sorts leave alone is what they would have reached.
+  EXPECT_EQ(idsOf(kDevice.upkeep({1}, shape, cells, Upkeep::maintain).cells), idsOf(cells));
+}
+
+TEST(OddEven, IsLeftAloneWhileOnHoldAsIsTheFullUpkeep) {
+  const GridShape shape{20, 11};
+  const auto cells = makeCells({Layout::uniform, shape, 20, 5});
+  for (const bool full : {false, true}) {
+    cpu::Queue queue({2});
+    cpu::NGrid grid(queue, {shape.columns, shape.rows});
+    cpu::Buffer<Cell> held(queue, shape.cells());
+    cpu::Buffer<uint32_t> cellOf(queue, shape.cells()), hold(queue, 1);
+    held.upload(cells);
+    const auto keep = [&](uint32_t word) {
+      hold.upload(std::vector<uint32_t>{word});
+      full ? grid.maintain(queue, held.data(), cellOf.data(), hold.data())
+           : grid.transpose(queue, held.data(), cellOf.data(), hold.data());
+      return idsOf(held.download());
+    };
+    EXPECT_EQ(keep(1), idsOf(cells));
+    EXPECT_EQ(keep(7), idsOf(cells));
+    EXPECT_NE(keep(0), idsOf(cells));
+  }
+}
+
+}  // namespace
+}  // namespace gw::test

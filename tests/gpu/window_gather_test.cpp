@@ -1,0 +1,256 @@
+// Windowed gathers: the cells that the definition names, the neighbours among them, each once; how much they find on a
+// well kept grid. And around() of the exact searches is their exact search.
+#include "gpu/window_gather.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "gpu/brute_force.h"
+#include "gpu/row_gather.h"
+#include "tests/gpu/random_cells.h"
+#include "tests/naive/gpu_oracles.h"
+
+namespace gw::cpu {
+namespace {
+
+using test::CellSpec;
+using test::GridShape;
+using test::Layout;
+using test::Upkeep;
+
+std::vector<Cell> kept(const CellSpec& spec, Upkeep upkeep) {
+  return probes().upkeep({1}, spec.shape, test::makeCells(spec), upkeep).cells;
+}
+
+// The cells as they stand, with nothing known of the rows: windows must not need it.
+NGridView viewOf(GridShape shape, const std::vector<Cell>& cells) {
+  return {cells.data(), shape.columns, shape.rows, nullptr, nullptr, nullptr, nullptr, nullptr};
+}
+
+struct Found {
+  std::vector<uint32_t> ids;    // ascending
+  std::vector<uint32_t> cells;  // ascending
+  uint32_t tested = 0;
+  bool right = true;  // every visit named the cell and the differences rightly
+};
+
+template <class Ask>
+Found collect(const std::vector<Cell>& cells, uint32_t i, const Ask& ask) {
+  Found found;
+  found.tested = ask([&](const Cell& cell, uint32_t index, float dx, float dy) {
+    found.ids.push_back(cell.id);
+    found.cells.push_back(index);
+    found.right &= cells[index].id == cell.id && dx == cell.x - cells[i].x && dy == cell.y - cells[i].y;
+  });
+  std::sort(found.ids.begin(), found.ids.end());
+  std::sort(found.cells.begin(), found.cells.end());
+  return found;
+}
+
+template <class Search>
+Found around(const Search& search, const std::vector<Cell>& cells, uint32_t i, float radius) {
+  return collect(cells, i, [&](auto see) { return search.around(i, cells[i].x, cells[i].y, radius, see); });
+}
+
+template <class Search>
+Found after(const Search& search, const std::vector<Cell>& cells, uint32_t i, float radius) {
+  return collect(cells, i, [&](auto see) { return search.after(i, cells[i].x, cells[i].y, radius, see); });
+}
+
+// Empty when every living cell finds what `wanted` says, and after() is the later part of around().
+template <class Search, class Wanted>
+std::string check(const Search& search, const std::vector<Cell>& cells, float radius, const Wanted& wanted) {
+  for (uint32_t i = 0; i < cells.size(); ++i) {
+    if (!isLiving(cells[i].x)) continue;
+    const Found all = around(search, cells, i, radius), later = after(search, cells, i, radius);
+    const std::string where = "cell " + std::to_string(i) + ": ";
+    if (all.ids != wanted(i)) return where + "other neighbours than the definition's";
+    if (!all.right || !later.right) return where + "a visit with a wrong place";
+    if (all.tested < all.ids.size() || later.tested > all.tested) return where + "tests miscounted";
+    const auto exact = naive::neighbours(cells, {cells[i].x, cells[i].y, radius});
+    if (!std::includes(exact.begin(), exact.end(), all.ids.begin(), all.ids.end())) return where + "not a neighbour";
+    if (!std::binary_search(all.cells.begin(), all.cells.end(), i)) return where + "did not find itself";
+    if (later.cells != std::vector(std::upper_bound(all.cells.begin(), all.cells.end(), i), all.cells.end())) {
+      return where + "after() is not what stands later";
+    }
+  }
+  return "";
+}
+
+std::string checkFixed(GridShape shape, const std::vector<Cell>& cells, float radius, uint32_t nRadius) {
+  return check(FixedGather{viewOf(shape, cells), nRadius}, cells, radius,
+               [&](uint32_t i) { return naive::windowNeighbours(shape, cells, i, nRadius, nRadius, radius); });
+}
+
+std::string checkAdaptive(GridShape shape, const std::vector<Cell>& cells, float radius) {
+  return check(AdaptiveGather{viewOf(shape, cells)}, cells, radius,
+               [&](uint32_t i) { return naive::adaptiveNeighbours(shape, cells, i, radius); });
+}
+
+constexpr GridShape kShapes[] = {{1, 1}, {1, 13}, {13, 1}, {3, 2}, {8, 8}, {23, 14}};
+
+TEST(WindowGather, FindsWhatItsDefinitionSaysInEveryLayout) {
+  uint64_t seed = 1;
+  for (const GridShape& shape : kShapes) {
+    for (uint32_t layout = 0; layout < test::kLayouts; ++layout) {
+      const CellSpec spec{Layout(layout), shape, layout % 3 * 20, ++seed};
+      for (const Upkeep upkeep : {Upkeep::transpose, Upkeep::maintain, Upkeep::rebuild, Upkeep::settle}) {
+        const auto cells = kept(spec, upkeep);
+        for (const float radius : {1e-30f, 0.5f, 12.0f, 1e30f}) {
+          SCOPED_TRACE(testing::Message() << spec << " upkeep " << uint32_t(upkeep) << " radius " << radius);
+          EXPECT_EQ(checkFixed(shape, cells, radius, 4), "");
+          EXPECT_EQ(checkAdaptive(shape, cells, radius), "");
+        }
+      }
+    }
+  }
+}
+
+RC_GTEST_PROP(WindowGather, FindsWhatItsDefinitionSaysOnAnything, ()) {
+  const GridShape shape{*rc::gen::inRange(1u, 24u), *rc::gen::inRange(1u, 24u)};
+  const CellSpec spec{Layout(*rc::gen::inRange(0u, test::kLayouts)), shape, *rc::gen::element(0u, 10u, 50u, 95u),
+                      *rc::gen::arbitrary<uint64_t>()};
+  const auto cells = test::makeCells(spec);  // in no order at all
+  const float radius = *rc::gen::element(0.01f, 1.0f, 7.0f, 40.0f);
+  RC_ASSERT(checkFixed(shape, cells, radius, *rc::gen::inRange(0u, 30u)) == "");
+  RC_ASSERT(checkAdaptive(shape, cells, radius) == "");
+}
+
+TEST(WindowGather, TheOnlyOneAliveFindsItselfInEveryCell) {
+  const GridShape shape{9, 6};
+  for (uint32_t at = 0; at < shape.cells(); ++at) {
+    auto cells = test::makeCells({Layout::uniform, shape, 100, 1});
+    cells[at].x = 30.0f;
+    cells[at].y = 40.0f;
+    const auto view = viewOf(shape, cells);
+    for (const Found& found :
+         {around(FixedGather{view}, cells, at, 5.0f), around(AdaptiveGather{view}, cells, at, 5.0f)}) {
+      EXPECT_EQ(found.cells, std::vector<uint32_t>{at});
+      EXPECT_EQ(found.tested, 1u);  // the dead are not counted
+    }
+    EXPECT_EQ(after(FixedGather{view}, cells, at, 5.0f).tested, 0u);
+    EXPECT_EQ(after(AdaptiveGather{view}, cells, at, 5.0f).tested, 0u);
+  }
+}
+
+TEST(WindowGather, AFixedWindowHasTheSizeOfItsNRadius) {
+  const GridShape shape{20, 15};
+  const auto cells = kept({Layout::coincident, shape, 0, 3}, Upkeep::maintain);
+  const auto tested = [&](uint32_t i, uint32_t nRadius) {
+    return around(FixedGather{viewOf(shape, cells), nRadius}, cells, i, 1.0f).tested;
+  };
+  const uint32_t middle = 7 * 20 + 10;
+  EXPECT_EQ(tested(middle, 4), 81u);
+  EXPECT_EQ(tested(middle, 1), 9u);
+  EXPECT_EQ(tested(middle, 0), 1u);
+  EXPECT_EQ(tested(0, 4), 25u);
+  EXPECT_EQ(tested(shape.cells() - 1, 4), 25u);
+  EXPECT_EQ(tested(10, 4), 45u);
+  EXPECT_EQ(tested(middle, 0xFFFFFFFFu), 300u);  // all there is, without wrapping round
+}
+
+TEST(WindowGather, APairIsFoundFromBothSidesOfAFixedWindow) {
+  const GridShape shape{31, 12};
+  const auto cells = kept({Layout::clustered, shape, 10, 9}, Upkeep::maintain);
+  const FixedGather search{viewOf(shape, cells)};
+  uint64_t pairs = 0;
+  for (uint32_t i = 0; i < cells.size(); ++i) {
+    if (!isLiving(cells[i].x)) continue;
+    for (const uint32_t j : around(search, cells, i, 3.0f).cells) {
+      const auto back = around(search, cells, j, 3.0f).cells;
+      ASSERT_TRUE(std::binary_search(back.begin(), back.end(), i));
+      ++pairs;
+    }
+  }
+  EXPECT_GT(pairs, cells.size());
+}
+
+TEST(WindowGather, AroundIsTheExactSearchOfExactMethods) {
+  const CellSpec spec{Layout::lattice, {31, 12}, 20, 4};
+  Queue queue(ExecOptions{.threads = 1});
+  NGrid grid(queue, {spec.shape.columns, spec.shape.rows});
+  Buffer<Cell> held(queue, spec.shape.cells());
+  Buffer<uint32_t> cellOf(queue, spec.shape.cells());
+  held.upload(test::makeCells(spec));
+  grid.maintain(queue, held.data(), cellOf.data());
+  const auto cells = held.download();
+  const RowGather rows{grid.view(held.data())};
+  const BruteForce brute{held.data(), spec.shape.cells()};
+  for (uint32_t i = 0; i < cells.size(); ++i) {
+    if (!isLiving(cells[i].x)) continue;
+    const auto direct = [&](const auto& search) {
+      return collect(cells, i, [&](auto see) { return search(cells[i].x, cells[i].y, 3.0f, see); });
+    };
+    for (const auto& [mine, wanted] : {std::pair(around(rows, cells, i, 3.0f), direct(rows)),
+                                       std::pair(around(brute, cells, i, 3.0f), direct(brute))}) {
+      ASSERT_EQ(mine.ids, wanted.ids);
+      ASSERT_EQ(mine.tested, wanted.tested);
+      ASSERT_EQ(mine.ids, naive::neighbours(cells, {cells[i].x, cells[i].y, 3.0f}));
+    }
+  }
+}
+
+struct Recall {
+  double found, tested;  // share of the neighbours; candidates per asker
+};
+
+template <class Search>
+Recall recallOf(const Search& search, const std::vector<Cell>& cells, float radius) {
+  uint64_t found = 0, all = 0, tested = 0, askers = 0;
+  for (uint32_t i = 0; i < cells.size(); i += 11, ++askers) {
+    const Found mine = around(search, cells, i, radius);
+    found += mine.ids.size() - 1;
+    tested += mine.tested - 1;
+    all += naive::neighbours(cells, {cells[i].x, cells[i].y, radius}).size() - 1;
+  }
+  return {double(found) / double(all), double(tested) / double(askers)};
+}
+
+// Freshly sorted uniform data, about 20 neighbours each. Measured here: fixed 0.988 of the neighbours for 76 tests,
+// adaptive 0.851 for 26; fixed on the full sort 0.699.
+TEST(WindowGather, FindsNearlyAllOnASettledUniformGrid) {
+  const NDimensions d = chooseWindowDimensions(8192, 1.0f);
+  const GridShape shape{d.columns, d.rows};
+  const float radius = std::sqrt(20.0f / 3.14159265f * 1.0e4f / 8192.0f);
+  const auto settled = kept({Layout::uniform, shape, 0, 21}, Upkeep::settle);
+  const auto packed = kept({Layout::uniform, shape, 0, 21}, Upkeep::rebuild);
+  const Recall fixed = recallOf(FixedGather{viewOf(shape, settled)}, settled, radius);
+  const Recall adaptive = recallOf(AdaptiveGather{viewOf(shape, settled)}, settled, radius);
+  const Recall onPacked = recallOf(FixedGather{viewOf(shape, packed)}, packed, radius);
+  for (const auto& [name, r] : {std::pair("fixed", fixed), {"adaptive", adaptive}, {"fixed_on_full_sort", onPacked}}) {
+    RecordProperty(std::string(name) + "_recall", std::to_string(r.found));
+    RecordProperty(std::string(name) + "_tested", std::to_string(r.tested));
+  }
+  EXPECT_GT(fixed.found, 0.97);
+  EXPECT_GT(adaptive.found, 0.8);
+  EXPECT_LT(adaptive.tested, fixed.tested);
+  EXPECT_LT(onPacked.found, 0.8);  // why windows start from settle(), not from rebuild()
+}
+
+TEST(ChooseWindowDimensions, FollowsTheWorldsAspect) {
+  for (const float aspect : {0.1f, 1.0f, 1.7777778f, 10.0f}) {
+    for (uint32_t n = 100; n < 2000000; n += n / 3 + 1) {
+      const NDimensions d = chooseWindowDimensions(n, aspect);
+      ASSERT_GE(d.cells(), n);
+      ASSERT_LT(d.cells() - n, d.columns);
+      if (n > 1000 && n < 400000) {  // beyond, the longest line is the limit
+        ASSERT_NEAR(float(d.columns) / float(d.rows) / aspect, 1.0f, 0.2f) << n;
+      }
+    }
+  }
+  EXPECT_EQ(chooseWindowDimensions(0, 1.0f).cells(), 1u);
+  EXPECT_EQ(chooseWindowDimensions(1, 1e-30f).cells(), 1u);
+  EXPECT_EQ(chooseWindowDimensions(5000, 1e-30f).columns, 3u);
+  EXPECT_EQ(chooseWindowDimensions(2048 * 2048, 1e-30f).columns, kLongestLine);
+  EXPECT_THROW(chooseWindowDimensions(2048 * 2048 + 1, 1.0f), std::invalid_argument);
+  EXPECT_THROW(chooseWindowDimensions(100, 0.0f), std::invalid_argument);
+  EXPECT_THROW(chooseWindowDimensions(100, std::nanf("")), std::invalid_argument);
+  EXPECT_THROW(chooseWindowDimensions(0xFFFFFFFFu, 1.0f), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gw::cpu
