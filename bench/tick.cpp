@@ -7,96 +7,23 @@
 //
 // Each figure is the median over rounds; a round restores the scene and times 30 ticks.
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "bench/machine.h"
-#include "game/sim/master.h"
-#include "game/sim/simulation.h"
-#include "game/tables/tables.h"
+#include "bench/scenes.h"
 
 namespace {
 
 using namespace gw;
-using Clock = std::chrono::steady_clock;
+using namespace gw::bench;
 
-constexpr uint32_t kTicksPerRound = 30, kSwarmTicks = 1200;
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-// The game's own rules, but: the first type always sees the ship, the others never do; nothing else spawns,
-// nothing ends the run.
-SimulationConfig configFor(uint32_t enemies, uint32_t threads, bool swarm) {
-  SimulationConfig config;
-  config.rules = loadRules(readRuleTexts(GW_ASSETS_DIR));
-  config.enemies = enemies;
-  config.threads = threads;
-  config.particles = true;  // as in a window; they are a stage of their own in the table
-  Rules& rules = config.rules;
-  rules.waveCount = 0;
-  rules.endless.from_ticks = ~0u;
-  rules.idle.fewerThan = 0;
-  for (uint32_t t = 0; t < rules.enemyTypeCount; ++t) {
-    rules.enemies[t].sight_m = t == 0 || swarm ? 1.0e6f : 0.0f;
-    rules.enemies[t].contact_us = 0;
-  }
-  return config;
-}
-
-// Enemies at 0.395 per square metre, which puts 20 within 4 m, around the middle of the world.
-Snapshot uniformScene(Simulation& sim, const SimulationConfig& config) {
-  Snapshot scene = sim.snapshot();
-  Master master;
-  std::memcpy(&master, scene.master.data(), sizeof master);
-  master.tick = 1000;
-  master.ship.untouchable_ticks = 1u << 30;
-  std::memcpy(scene.master.data(), &master, sizeof master);
-
-  const double area = config.enemies / 0.395, shape = sim.worldWidth_m() / sim.worldHeight_m();
-  const double height = std::min<double>(sim.worldHeight_m() - 4.0, std::sqrt(area / shape));
-  const double width = std::min<double>(sim.worldWidth_m() - 4.0, area / height);
-  std::mt19937_64 random(20260101);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (uint32_t id = 0; id < config.enemies; ++id) {
-    EntityRecord e{};
-    e.id = id;
-    e.type = unit(random) < 0.7 ? 0u : 1u + uint32_t(random() % (config.rules.enemyTypeCount - 1));
-    const EnemyRules& rules = config.rules.enemies[e.type];
-    e.x = e.previous_x = float(0.5 * sim.worldWidth_m() + (unit(random) - 0.5) * width);
-    e.y = e.previous_y = float(0.5 * sim.worldHeight_m() + (unit(random) - 0.5) * height);
-    const double angle = unit(random) * 6.283185307;
-    e.direction_x = float(std::cos(angle));
-    e.direction_y = float(std::sin(angle));
-    e.velocity_x = e.direction_x * rules.speed_mps * 0.6f;
-    e.velocity_y = e.direction_y * rules.speed_mps * 0.6f;
-    e.energy = rules.energy;
-    e.mass = rules.mass;
-    e.state = e.type == 0 ? 1u : 0u;
-    e.target = kNobody;
-    scene.entities.push_back(e);
-  }
-  return scene;
-}
-
-Snapshot swarmScene(Simulation& sim, const SimulationConfig& config) {
-  sim.restore(uniformScene(sim, config));
-  for (uint32_t t = 0; t < kSwarmTicks; ++t) {
-    sim.tick({});
-    sim.report();
-  }
-  return sim.snapshot();
-}
+constexpr uint32_t kTicksPerRound = 30;
 
 struct Figures {
   double tick_ms = 0, gather_ms = 0, candidates = 0, stages_ms = 0;
@@ -104,29 +31,21 @@ struct Figures {
 };
 
 Figures measure(uint32_t enemies, uint32_t threads, bool swarm, uint32_t rounds) {
-  const SimulationConfig config = configFor(enemies, threads, swarm);
+  SimulationConfig config = configFor(enemies, threads, swarm);
+  config.particles = true;  // as in a window; they are a stage of their own in the table
   const auto sim = cpu::makeSimulation(config);
   const Snapshot scene = swarm ? swarmScene(*sim, config) : uniformScene(*sim, config);
   std::vector<double> ticks, gathers;
   Figures figures;
   for (uint32_t round = 0; round < rounds + 1; ++round) {
     sim->restore(scene);
-    for (int warm = 0; warm < 3; ++warm) {  // the upkeep after a full rebuild is not what is measured
-      sim->tick({});
-      sim->report();
-    }
+    playOn(*sim, 3);                      // the upkeep after a full rebuild is not what is measured
     const bool staged = round == rounds;  // the last round is for the stages, timed one by one
     sim->enableStageTimes(staged);
-    const auto begin = Clock::now();
-    for (uint32_t t = 0; t < kTicksPerRound; ++t) {
-      sim->tick({});
-      sim->report();
-    }
-    const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count() / kTicksPerRound;
+    const double ms = milliseconds([&] { playOn(*sim, kTicksPerRound); }) / kTicksPerRound;
     if (!staged) ticks.push_back(ms);
-    const auto gather = Clock::now();
-    const CandidateCount count = sim->countCandidates();
-    gathers.push_back(std::chrono::duration<double, std::milli>(Clock::now() - gather).count());
+    CandidateCount count;
+    gathers.push_back(milliseconds([&] { count = sim->countCandidates(); }));
     figures.candidates = count.entities ? double(count.tested) / double(count.entities) : 0.0;
   }
   figures.tick_ms = median(ticks);

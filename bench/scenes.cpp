@@ -1,0 +1,80 @@
+#include "bench/scenes.h"
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "game/sim/master.h"
+#include "game/tables/tables.h"
+
+namespace gw::bench {
+
+namespace {
+constexpr uint32_t kSwarmTicks = 1200;
+}
+
+SimulationConfig configFor(uint32_t enemies, uint32_t threads, bool swarm) {
+  SimulationConfig config;
+  config.rules = loadRules(readRuleTexts(GW_ASSETS_DIR));
+  config.enemies = enemies;
+  config.threads = threads;
+  Rules& rules = config.rules;
+  rules.waveCount = 0;
+  rules.endless.from_ticks = ~0u;
+  rules.idle.fewerThan = 0;
+  for (uint32_t t = 0; t < rules.enemyTypeCount; ++t) {
+    rules.enemies[t].sight_m = t == 0 || swarm ? 1.0e6f : 0.0f;
+    rules.enemies[t].contact_us = 0;
+  }
+  return config;
+}
+
+Snapshot uniformScene(Simulation& sim, const SimulationConfig& config) {
+  Snapshot scene = sim.snapshot();
+  scene.arrangement.clear();  // of the empty game: the scene gets one of its own
+  Master master;
+  std::memcpy(&master, scene.master.data(), sizeof master);
+  master.tick = 1000;
+  master.ship.untouchable_ticks = 1u << 30;
+  std::memcpy(scene.master.data(), &master, sizeof master);
+
+  const double area = config.enemies / 0.395, shape = sim.worldWidth_m() / sim.worldHeight_m();
+  const double height = std::min<double>(sim.worldHeight_m() - 4.0, std::sqrt(area / shape));
+  const double width = std::min<double>(sim.worldWidth_m() - 4.0, area / height);
+  std::mt19937_64 random(20260101);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (uint32_t id = 0; id < config.enemies; ++id) {
+    EntityRecord e{};
+    e.id = id;
+    e.type = unit(random) < 0.7 ? 0u : 1u + uint32_t(random() % (config.rules.enemyTypeCount - 1));
+    const EnemyRules& rules = config.rules.enemies[e.type];
+    e.x = e.previous_x = float(0.5 * sim.worldWidth_m() + (unit(random) - 0.5) * width);
+    e.y = e.previous_y = float(0.5 * sim.worldHeight_m() + (unit(random) - 0.5) * height);
+    const double angle = unit(random) * 6.283185307;
+    e.direction_x = float(std::cos(angle));
+    e.direction_y = float(std::sin(angle));
+    e.velocity_x = e.direction_x * rules.speed_mps * 0.6f;
+    e.velocity_y = e.direction_y * rules.speed_mps * 0.6f;
+    e.energy = rules.energy;
+    e.mass = rules.mass;
+    e.state = e.type == 0 ? 1u : 0u;
+    e.target = kNobody;
+    scene.entities.push_back(e);
+  }
+  return scene;
+}
+
+Snapshot swarmScene(Simulation& sim, const SimulationConfig& config) {
+  sim.restore(uniformScene(sim, config));
+  playOn(sim, kSwarmTicks);
+  return sim.snapshot();
+}
+
+void playOn(Simulation& sim, uint32_t ticks) {
+  for (uint32_t t = 0; t < ticks; ++t) {
+    sim.tick({});
+    sim.report();
+  }
+}
+
+}  // namespace gw::bench

@@ -1,0 +1,37 @@
+// Scenes that benches measure on, and how they time them.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "game/sim/simulation.h"
+
+namespace gw::bench {
+
+inline double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+template <class Work>
+double milliseconds(const Work& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// The game's own rules, but: the first type always sees the ship, the others only in a swarm; nothing else spawns,
+// nothing ends the run.
+SimulationConfig configFor(uint32_t enemies, uint32_t threads, bool swarm);
+
+// Enemies at 0.395 per square metre, which puts 20 within 4 m, around the middle of the world.
+Snapshot uniformScene(Simulation& sim, const SimulationConfig& config);
+
+// The same after 20 s, in which all of them have attacked an untouchable ship.
+Snapshot swarmScene(Simulation& sim, const SimulationConfig& config);
+
+// Ticks one by one, as a window would ask for them.
+void playOn(Simulation& sim, uint32_t ticks);
+
+}  // namespace gw::bench
