@@ -33,8 +33,10 @@ constexpr Choice kDevices[] = {{"auto", uint32_t(DeviceOption::automatic)},
                                {"cpu", uint32_t(DeviceOption::cpu)}};
 constexpr Choice kBroadPhases[] = {
     {"ngrid", uint32_t(BroadPhase::ngrid)}, {"brute", uint32_t(BroadPhase::bruteForce)}, {"grid"}, {"grid-hashed"}};
-constexpr Choice kGathers[] = {{"exact", 0}, {"adaptive"}, {"fixed"}};
-constexpr Choice kSorts[] = {{"bitonic", 0}, {"odd-even"}, {"full"}, {"frozen"}};
+constexpr Choice kGathers[] = {
+    {"exact", uint32_t(Gather::exact)}, {"adaptive", uint32_t(Gather::adaptive)}, {"fixed", uint32_t(Gather::fixed)}};
+constexpr Choice kSorts[] = {
+    {"bitonic", uint32_t(Sort::bitonic)}, {"odd-even", uint32_t(Sort::oddEven)}, {"full"}, {"frozen"}};
 constexpr Choice kAutopilots[] = {{"novice", uint32_t(Autopilot::novice)}, {"expert", uint32_t(Autopilot::expert)}};
 constexpr Choice kOrders[] = {{"forward", uint32_t(VisitOrder::forward)},
                               {"reversed", uint32_t(VisitOrder::reversed)},
@@ -81,6 +83,7 @@ class VerbParser {
     }
     checkExtras();
     values_.read();
+    if (thesis_) takeThesis();
     if (takesFiles() && options_.files.empty()) {
       throw UsageError(fmt::format("'gpuwars {}' needs a replay; name the file", verb_.name));
     }
@@ -123,10 +126,12 @@ class VerbParser {
                     [&](uint64_t v) { options_.threads = uint32_t(v); });
     values_.choice("--broad-phase", kBroadPhases, "how neighbours are found; cannot change the game", "ngrid",
                    [&](uint32_t v) { options_.broadPhase = BroadPhase(v); });
-    values_.choice("--gather", kGathers, "how the NGrid is asked", "exact", [](uint32_t) {});
-    values_.choice("--sort", kSorts, "how the NGrid is kept in order", "bitonic", [](uint32_t) {});
-    values_.flag(
-        "--thesis", "", [] { throw UsageError(notYet("--thesis", "leave it out to play the exact game")); }, kHidden);
+    const bool play = verb_.verb == Verb::play;
+    values_.choice("--gather", kGathers, "how the NGrid is asked; adaptive and fixed miss some, in a game of their own",
+                   play ? "exact" : "the replay's", [&](uint32_t v) { options_.gather = Gather(v); });
+    values_.choice("--sort", kSorts, "how the NGrid is kept in order", play ? "bitonic" : "the replay's",
+                   [&](uint32_t v) { options_.sort = Sort(v); });
+    values_.flag("--thesis", "the thesis's own NGrid: --gather adaptive --sort bitonic", [&] { thesis_ = true; });
     values_.choice(
         "--order", kOrders, "in which order the cpu device visits items", "forward",
         [&](uint32_t v) { options_.order = VisitOrder(v); }, kDiagnostics);
@@ -193,9 +198,38 @@ class VerbParser {
     throw UsageError(fmt::format("'{}' is not an option; see 'gpuwars {} --help'", option, verb_.name));
   }
 
+  // Shorthand: says what it stands for, and goes with nothing else.
+  void takeThesis() {
+    const auto refuse = [](const char* option, const char* value) {
+      throw UsageError(
+          fmt::format("'--thesis' means '--gather adaptive --sort bitonic'; leave it or '{} {}' out", option, value));
+    };
+    if (options_.gather.value_or(Gather::adaptive) != Gather::adaptive) refuse("--gather", nameOf(*options_.gather));
+    if (options_.sort.value_or(Sort::bitonic) != Sort::bitonic) refuse("--sort", nameOf(*options_.sort));
+    options_.gather = Gather::adaptive;
+    options_.sort = Sort::bitonic;
+  }
+
+  // What a replay was recorded with is looked at when it is open.
+  void checkNeighbours() const {
+    const Options& o = options_;
+    const bool exact = o.gather ? *o.gather == Gather::exact : o.verb == Verb::play;
+    if (exact && o.sort == Sort::oddEven) {
+      throw UsageError(
+          "'--sort odd-even' does not keep the order that an exact gather needs; add '--gather adaptive' or "
+          "'--gather fixed'");
+    }
+    if (o.gather.value_or(Gather::exact) != Gather::exact && o.broadPhase != BroadPhase::ngrid) {
+      throw UsageError(
+          fmt::format("'{}' asks the NGrid, which '--broad-phase brute' does without; leave out one of the two",
+                      thesis_ ? "--thesis" : fmt::format("--gather {}", nameOf(*o.gather))));
+    }
+  }
+
   void checkContradictions() const {
     const auto refuse = [](const char* sentence) { throw UsageError(sentence); };
     const Options& o = options_;
+    checkNeighbours();
     if (o.verb == Verb::play) {
       if (o.headless && o.fullscreen) refuse("'--headless' has no window for '--fullscreen'; leave out one of the two");
       if (o.headless && !o.ticks) refuse("'--headless' does not end by itself; give '--ticks N' too");
@@ -215,12 +249,12 @@ class VerbParser {
   }
 
   static constexpr const char* kDiagnostics = "Diagnostics";
-  static constexpr const char* kHidden = "";
 
   VerbName verb_;
   Options& options_;
   CLI::App app_;
   CommandLineValues values_;
+  bool thesis_ = false;
 };
 
 const VerbName* findVerb(std::string_view name) {
@@ -258,7 +292,23 @@ std::string joined(const std::vector<std::string>& arguments) {
   return text;
 }
 
+// The word among an option's that stands for a value.
+template <size_t kCount>
+const char* wordFor(const Choice (&choices)[kCount], uint32_t value) {
+  for (const Choice& choice : choices) {
+    if (choice.value == value) return choice.name.data();  // a literal: it ends in a zero
+  }
+  return "?";
+}
+
 }  // namespace
+
+const char* nameOf(Gather gather) {
+  return wordFor(kGathers, uint32_t(gather));
+}
+const char* nameOf(Sort sort) {
+  return wordFor(kSorts, uint32_t(sort));
+}
 
 ParsedCommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   ParsedCommandLine result;

@@ -26,6 +26,11 @@ struct Options {
   uint32_t enemies = 8192;
   Autopilot autopilot = Autopilot::none;
 
+  // How neighbours are found (play, replay, verify). None: not asked for, so what a replay says, else exact and
+  // bitonic. Inexact gathers change the game; a replay cannot be asked for others than it was recorded with.
+  std::optional<Gather> gather;
+  std::optional<Sort> sort;
+
   // How it is computed (play, replay, verify). Cannot change the game.
   DeviceOption device = DeviceOption::automatic;
   uint32_t threads = 0;  // cpu device: 0 takes what the machine has
@@ -69,6 +74,10 @@ struct ParsedCommandLine {
   std::string output;  // for stdout: help, version; ends in a newline
   std::string error;   // for stderr: one sentence with a remedy, no newline
 };
+
+// The words of the command line.
+const char* nameOf(Gather gather);
+const char* nameOf(Sort sort);
 
 // `arguments` without the program's name. Never throws on what a user can pass.
 ParsedCommandLine parseCommandLine(const std::vector<std::string>& arguments);

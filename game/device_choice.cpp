@@ -31,10 +31,32 @@ std::unique_ptr<Simulation> makeSimulation(const DeviceChoice& device, const Sim
 }
 
 void setComputing(SimulationConfig& config, const Options& options) {
+  config.gather = options.gather.value_or(Gather::exact);
+  config.sort = options.sort.value_or(Sort::bitonic);
   config.broadPhase = options.broadPhase;
   config.threads = options.threads;
   config.order = options.order;
   config.protectMemory = options.protectMemory;
+}
+
+void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file) {
+  const auto refuse = [&](const std::string& asked) {
+    throw UserError(ExitCode::badUsage, file + " was recorded with '--gather " + nameOf(config.gather) + " --sort " +
+                                            nameOf(config.sort) + "': leave out " + asked + ".");
+  };
+  if (options.gather && *options.gather != config.gather)
+    refuse(std::string("'--gather ") + nameOf(*options.gather) + "'");
+  if (options.sort && *options.sort != config.sort) refuse(std::string("'--sort ") + nameOf(*options.sort) + "'");
+  if (config.gather != Gather::exact && options.broadPhase != BroadPhase::ngrid) refuse("'--broad-phase brute'");
+  Options agreed = options;
+  agreed.gather = config.gather;
+  agreed.sort = config.sort;
+  setComputing(config, agreed);
+}
+
+std::string neighboursText(Gather gather, Sort sort) {
+  if (gather == Gather::exact) return "";
+  return std::string(nameOf(gather)) + " gather, " + nameOf(sort) + " sort";
 }
 
 }  // namespace gw

@@ -23,4 +23,11 @@ std::unique_ptr<Simulation> makeSimulation(const DeviceChoice& device, const Sim
 // The rules and options that a run is made of: what the command line says about how to compute it.
 void setComputing(SimulationConfig& config, const Options& options);
 
+// The same for a run that was recorded in `file`: config holds what the file says. Throws UserError when the
+// command line asks for another game than the one in the file.
+void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file);
+
+// How neighbours are found, when that is felt: "adaptive gather, bitonic sort"; empty for an exact game.
+std::string neighboursText(Gather gather, Sort sort);
+
 }  // namespace gw

@@ -67,6 +67,9 @@ void printSummary(Run& run, const RunFactory& factory, const Options& options, u
        run.simulation().deviceName() + (factory.device().why.empty() ? "" : "  (" + factory.device().why + ")"));
   line("game", "seed " + std::to_string(seed) + ", " + withCommas(options.enemies) + " enemies fit, " +
                    withCommas(run.simulation().capacity()) + " entities");
+  const std::string neighbours =
+      neighboursText(options.gather.value_or(Gather::exact), options.sort.value_or(Sort::bitonic));
+  if (!neighbours.empty()) line("neighbours", neighbours + "; misses some, see docs/thesis-preset.md");
   line("ticks", withCommas(report.tick) + (report.over     ? " (over at tick " + std::to_string(report.tick) + ")"
                                            : interrupted() ? " (interrupted)"
                                                            : ""));

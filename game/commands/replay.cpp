@@ -30,7 +30,7 @@ class ReplaySession {
         settingsFile_(settingsFileOf(options)),
         settings_(readPlayerSettings(settingsFile_)),
         loop_(options, settings_) {
-    setComputing(config_, options);
+    setComputingOf(config_, options, options.files.front().string());
     config_.particles = true;
     run_.emplace(makeSimulation(device_, config_), std::nullopt);
     loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity(), device_.cuda);

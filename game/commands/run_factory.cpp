@@ -44,6 +44,8 @@ std::unique_ptr<Run> RunFactory::make(uint64_t seed, Autopilot autopilot, bool r
     header.enemies = config.enemies;
     header.autopilot = autopilot;
     header.options = options_.text;
+    header.gather = config.gather;
+    header.sort = config.sort;
     recordPath_ = numbered(options_.recordPath, ++recordings_);
     recorder.emplace(recordPath_, header, texts_);
   }

@@ -86,7 +86,7 @@ Outcome verifyOne(const std::filesystem::path& file, const Options& options, con
     const Replay replay = readReplay(file);
     SimulationConfig config = replayConfig(replay);
     outcome.config = config;
-    setComputing(config, options);
+    setComputingOf(config, options, outcome.file);
     if (config.threads == 0 && options.jobs > 1) {  // the machine is shared between the jobs
       config.threads = std::max(1u, std::thread::hardware_concurrency() / options.jobs);
     }

@@ -14,7 +14,7 @@ namespace gw {
 inline constexpr uint32_t kSimulationVersion = 2;
 
 inline constexpr uint16_t kReplayMajor = 1;  // older programs refuse a newer major...
-inline constexpr uint16_t kReplayMinor = 0;  // ...and skip what a newer minor adds
+inline constexpr uint16_t kReplayMinor = 1;  // ...and skip what a newer minor adds
 
 inline constexpr uint32_t kMaxEnemies = 1'000'000;
 inline constexpr uint32_t kMaxTicks = 4 * 60 * 60 * kTicksPerSecond;  // 4 h of game time
@@ -45,6 +45,8 @@ inline constexpr size_t kOffsetEnemies = 36;
 inline constexpr size_t kOffsetAutopilot = 40;
 inline constexpr size_t kOffsetTicks = 44;
 inline constexpr size_t kOffsetChunks = 48;
+inline constexpr size_t kOffsetGather = 52;  // since 1.1; 0 before, which is what those runs had
+inline constexpr size_t kOffsetSort = 56;
 inline constexpr size_t kOffsetChecksum = 120;
 
 constexpr uint32_t fourcc(char a, char b, char c, char d) {

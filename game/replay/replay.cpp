@@ -11,6 +11,8 @@ SimulationConfig replayConfig(const Replay& replay) {
   config.mode = replay.header.mode;
   config.enemies = replay.header.enemies;
   config.autopilot = Autopilot::none;
+  config.gather = replay.header.gather;
+  config.sort = replay.header.sort;
   return config;
 }
 

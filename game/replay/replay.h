@@ -26,6 +26,9 @@ struct ReplayHeader {
   Autopilot autopilot = Autopilot::none;  // who played; the inputs hold what it did
   uint32_t simulationVersion = kSimulationVersion;
   std::string options;  // the command line, for people; nothing reads it back
+  // With an inexact gather the arrangement of the NGrid is state: it is played again with the same.
+  Gather gather = Gather::exact;
+  Sort sort = Sort::bitonic;
 
   friend bool operator==(const ReplayHeader&, const ReplayHeader&) = default;
 };

@@ -112,9 +112,14 @@ class Decoder {
     head.autopilot = Autopilot(header<uint32_t>(kOffsetAutopilot));
     ticks_ = header<uint32_t>(kOffsetTicks);
     chunks_ = header<uint32_t>(kOffsetChunks);
+    head.gather = Gather(header<uint32_t>(kOffsetGather));
+    head.sort = Sort(header<uint32_t>(kOffsetSort));
     if (head.mode > Mode::practice) damaged("its mode is unknown");
     if (head.enemies < 1 || head.enemies > kMaxEnemies) damaged("its number of enemies is out of range");
     if (head.autopilot > Autopilot::expert) damaged("its autopilot is unknown");
+    if (head.gather > Gather::fixed) damaged("its gather is unknown");
+    if (head.sort > Sort::oddEven) damaged("its sort is unknown");
+    if (head.gather == Gather::exact && head.sort != Sort::bitonic) damaged("its gather and sort do not go together");
     // Every tick takes a hash and every chunk a header: more cannot be in the file, so nothing that is
     // counted here can make the reader allocate much more than the file's own size.
     if (ticks_ < 1 || ticks_ > kMaxTicks || ticks_ > bytes_.size() / kHashBytes)

@@ -23,6 +23,8 @@ void check(const Replay& replay) {
   if (replay.inputs.size() != replay.hashes.size()) refuse("as many hashes as inputs are needed");
   if (header.enemies < 1 || header.enemies > kMaxEnemies) refuse("number of enemies");
   if (header.mode > Mode::practice || header.autopilot > Autopilot::expert) refuse("mode or autopilot");
+  if (header.gather > Gather::fixed || header.sort > Sort::oddEven) refuse("gather or sort");
+  if (header.gather == Gather::exact && header.sort != Sort::bitonic) refuse("no exact gather goes with that sort");
   if (header.options.size() > kMaxOptionsBytes) refuse("options text too long");
   for (const RuleText* text : {&replay.rules.game, &replay.rules.enemies, &replay.rules.waves}) {
     if (text->text.size() > kMaxRuleText) refuse("rule text too long");
@@ -47,6 +49,8 @@ class FileBuilder {
     putLittleAt(bytes_, kOffsetEnemies, replay.header.enemies);
     putLittleAt(bytes_, kOffsetAutopilot, uint32_t(replay.header.autopilot));
     putLittleAt(bytes_, kOffsetTicks, replay.ticks());
+    putLittleAt(bytes_, kOffsetGather, uint32_t(replay.header.gather));
+    putLittleAt(bytes_, kOffsetSort, uint32_t(replay.header.sort));
   }
 
   void chunk(uint32_t kind, uint32_t flags, uint32_t firstTick, const Bytes& payload) {

@@ -247,9 +247,10 @@ struct Expert : Bot<Search> {
   }
 };
 
+// The ship stands in no cell, so an inexact gather has no window for it: then bots look at everybody.
 template <class Launch>
 void withSeen(const View& view, const Launch& launch) {
-  if (view.broadPhase == BroadPhase::ngrid) {
+  if (view.broadPhase == BroadPhase::ngrid && view.gather == Gather::exact) {
     launch(RowGather{view.seenGrid});
   } else {
     launch(BruteForce{view.moved, view.capacity});

@@ -6,33 +6,37 @@ namespace {
 // One item: one cell. Entities in the high half's low bits, tests in the low 40.
 template <class Search>
 struct CountTests {
-  uint64_t* tested;
+  uint64_t *tested, *found;
   View v;
   Search search;
 
   GW_BODY void operator()(uint32_t i) const {
     const Cell cell = v.moved[i];
-    tested[i] = 0;
+    tested[i] = found[i] = 0;
     if (!isEnemy(cell.type)) return;
+    uint32_t neighbours = 0;
     const uint32_t tests = search.around(i, cell.x, cell.y, v.tables->rules.enemies[cell.type].vision_m,
-                                         [](const Cell&, uint32_t, float, float) {});
+                                         [&](const Cell&, uint32_t, float, float) { ++neighbours; });
     tested[i] = 1ull << 40 | (tests - 1);
+    found[i] = neighbours - 1;
   }
 };
 
 }  // namespace
 
 CandidateCount Candidates::run(Queue& queue, const View& view) {
-  const Count all{view.capacity};
-  if (view.broadPhase == BroadPhase::ngrid) {
-    forEach(queue, all, CountTests<RowGather>{tested_.data(), view, RowGather{view.seenGrid}});
-  } else {
-    forEach(queue, all, CountTests<BruteForce>{tested_.data(), view, BruteForce{view.moved, view.capacity}});
-  }
-  sum_.run(queue, tested_.data(), total_.data());
+  withSearchOf(view, view.moved, view.seenGrid, [&](auto search) {
+    forEach(queue, Count{view.capacity}, CountTests<decltype(search)>{tested_.data(), found_.data(), view, search});
+  });
+  const uint64_t tests = sumOf(queue, tested_);
+  return {tests & ((1ull << 40) - 1), sumOf(queue, found_), tests >> 40};
+}
+
+uint64_t Candidates::sumOf(Queue& queue, const Buffer<uint64_t>& words) {
+  sum_.run(queue, words.data(), total_.data());
   uint64_t total = 0;
   total_.download(&total, 1);
-  return {total & ((1ull << 40) - 1), total >> 40};
+  return total;
 }
 
 }  // namespace gw::GW_DEVICE

@@ -8,14 +8,17 @@ namespace gw::GW_DEVICE {
 class Candidates {
  public:
   Candidates() = default;
-  Candidates(Queue& queue, uint32_t capacity) : tested_(queue, capacity), sum_(queue, capacity), total_(queue, 1) {}
+  Candidates(Queue& queue, uint32_t capacity)
+      : tested_(queue, capacity), found_(queue, capacity), sum_(queue, capacity), total_(queue, 1) {}
 
   // Lets every living enemy gather within its vision around where it stood when the last tick was
-  // maintained, and sums the pair tests, its own not counted.
+  // maintained, and sums pair tests and neighbours, itself not counted.
   CandidateCount run(Queue& queue, const View& view);
 
  private:
-  Buffer<uint64_t> tested_;
+  uint64_t sumOf(Queue& queue, const Buffer<uint64_t>& words);
+
+  Buffer<uint64_t> tested_, found_;
   Reduce sum_;
   Buffer<uint64_t> total_;
 };

@@ -7,7 +7,8 @@
 //   finish   each shot that picked a victim stays at the meeting point for this tick, spent or flying on:
 //            so it cannot skip a second victim behind the first
 //
-// Gathers search `cells` (the start of the tick, sorted), with radii widened by what a tick can move.
+// Gathers search `cells` (the start of the tick, sorted), with radii widened by what a tick can move. An inexact
+// gather misses some, and need not be symmetric: a shot whose victim does not see it flies on unhindered.
 #include "game/sim/entity_flags.h"
 #include "game/sim/overlap.h"
 #include "game/sim/stages.h"
@@ -125,6 +126,7 @@ struct Suffer {
       motion.y += way.y * kick;
       done = next + 1;
     }
+    if (done == 0) return;  // saw none of them
     v.nextForceEnergy[self.id] = force;
     v.velocityPrevious[self.id] = motion;
     v.state[self.id].w |= kFlagHit;
@@ -248,6 +250,8 @@ struct FinishShots {
     if (from.type != kTypeShot || v.master->over) return;
     const uint32_t victim = v.choice[from.id];
     if (victim == kNobody) return;
+    // Alive and yet not hit by it: the victim did not see it. In an exact game it would have died of others.
+    if (!v.spent[from.id] && canBeHit(v, victim)) return;
     const Float2 to = endOfFlight(v, from);
     const float t = v.choiceTime[from.id];
     Cell end = {from.x + (to.x - from.x) * t + 0.0f, from.y + (to.y - from.y) * t + 0.0f, from.id, from.type};

@@ -1,5 +1,6 @@
 // Hash: every simulated field of every living entity and of the master, summed so that neither the NGrid's
-// arrangement nor the order of visits is felt; then the report, which is all the host gets to see.
+// arrangement nor the order of visits is felt; where the arrangement is state, who stands in which cell; then the
+// report, which is all the host gets to see.
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
 #include "gpu/bits.h"
@@ -15,16 +16,22 @@ GW_FN uint64_t pair(uint32_t a, uint32_t b) {
   return uint64_t(a) << 32 | b;
 }
 
+constexpr uint32_t kCellField = 0xCE11u;  // far above the fields of entities, whose owners are ids
+
 // One item: one cell.
 struct HashEntities {
   View v;
+  bool withArrangement;
 
   GW_BODY void operator()(uint32_t i) const {
     const Cell cell = v.moved[i];
-    if (cell.type == kTypeNone) {
-      v.hashes[i] = 0;
-      return;
-    }
+    // The empty cells too: who is born there depends on it.
+    const uint64_t place = withArrangement ? hashWord(i, kCellField, cell.id) : 0;
+    v.hashes[i] = place + (cell.type == kTypeNone ? 0 : entityHash(cell));
+  }
+
+ private:
+  GW_BODY uint64_t entityHash(const Cell& cell) const {
     const uint32_t id = cell.id;
     const Float4 motion = v.velocityPrevious[id], force = v.nextForceEnergy[id], direction = v.nextDirectionMass[id];
     const Uint4 state = v.state[id];
@@ -35,7 +42,7 @@ struct HashEntities {
                               pair(state.z, state.w),           uint64_t(v.target[id])};
     uint64_t sum = 0;
     for (uint32_t field = 0; field < sizeof words / sizeof words[0]; ++field) sum += hashWord(id, field, words[field]);
-    v.hashes[i] = sum;
+    return sum;
   }
 };
 
@@ -135,7 +142,7 @@ struct Report {
 }  // namespace
 
 void hash(Queue& queue, const View& view, Reduce& sum) {
-  forEach(queue, Count{view.capacity}, HashEntities{view});
+  forEach(queue, Count{view.capacity}, HashEntities{view, isArrangementState(view.gather)});
   sum.run(queue, view.hashes, &view.scratch->entityHash);
   forEach(queue, Count{1}, Report{view});
 }

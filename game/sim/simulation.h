@@ -109,6 +109,9 @@ static_assert(sizeof(EntityRecord) == 88);
 struct Snapshot {
   std::vector<uint8_t> master;         // the master thread's globals
   std::vector<EntityRecord> entities;  // live ones, by ascending id
+  // The id in each cell, the empty ones included. Only of games with an inexact gather; an exact one takes no
+  // notice of it, and an inexact one that is given none arranges the entities afresh.
+  std::vector<uint32_t> arrangement;
 };
 
 // Which part of the world the draw list covers.
@@ -138,6 +141,7 @@ struct StageTime {
 
 struct CandidateCount {
   uint64_t tested = 0;    // pair tests, the entity itself not counted
+  uint64_t found = 0;     // of those, neighbours
   uint64_t entities = 0;  // enemies that searched
 };
 
@@ -152,7 +156,8 @@ class Simulation {
 
   virtual Snapshot snapshot() = 0;
   // Restores the state; the next tick continues from it. Throws std::invalid_argument on one that does
-  // not fit (an id past the capacity, ids out of order, a master of another size).
+  // not fit (an id past the capacity, ids out of order, a master of another size, an arrangement that does not
+  // hold every id once).
   virtual void restore(const Snapshot& snapshot) = 0;
 
   // Writes the sprites within the view, the most dangerous last, and the instance count. Not a tick stage.

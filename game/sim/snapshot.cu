@@ -15,6 +15,18 @@ struct PlaceById {
   GW_BODY void operator()(uint32_t id) const { cells[cellOf[id]] = byId[id]; }
 };
 
+// One item: one cell, whose id is put down as standing there.
+struct FillByArrangement {
+  Cell* cells;
+  uint32_t* cellOf;
+  const uint32_t* arrangement;
+  const Cell* byId;
+  GW_BODY void operator()(uint32_t i) const {
+    cells[i] = byId[arrangement[i]];
+    cellOf[arrangement[i]] = i;
+  }
+};
+
 template <class T>
 std::vector<T> fetch(const Buffer<T>& buffer) {
   return buffer.download();
@@ -26,9 +38,23 @@ const Buffer<T>& front(const Buffer<T> (&sides)[2], const T* data) {
   return sides[0].data() == data ? sides[0] : sides[1];
 }
 
+void checkArrangement(const std::vector<uint32_t>& arrangement, uint32_t capacity) {
+  std::vector<bool> seen(capacity);
+  bool whole = arrangement.size() == capacity;
+  for (size_t i = 0; whole && i < arrangement.size(); ++i) {
+    whole = arrangement[i] < capacity && !seen[arrangement[i]];
+    if (whole) seen[arrangement[i]] = true;
+  }
+  if (!whole) {
+    throw std::invalid_argument(
+        "The snapshot's arrangement of cells does not fit; restore it with the capacity it was taken with.");
+  }
+}
+
 // What kernels would follow without looking: an id, a type, a state, a place.
-void checkSnapshot(const Snapshot& snapshot, const Tables& tables) {
+void checkSnapshot(const Snapshot& snapshot, const Tables& tables, Gather gather) {
   const uint32_t capacity = tables.limits.capacity;
+  if (isArrangementState(gather) && !snapshot.arrangement.empty()) checkArrangement(snapshot.arrangement, capacity);
   if (snapshot.master.size() != sizeof(Master)) {
     throw std::invalid_argument("The snapshot was made by another version of the game; take a new one.");
   }
@@ -69,6 +95,9 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
   const auto machine = fetch(state.state);
   const auto push = fetch(state.push);
   const auto birth = fetch(state.birthTick), target = fetch(state.target);
+  if (isArrangementState(next.gather)) {
+    for (const Cell& cell : cells) snapshot.arrangement.push_back(cell.id);
+  }
   for (uint32_t id = 0; id < next.capacity; ++id) {
     const Cell& cell = cells[cellOf[id]];
     if (cell.type == kTypeNone) continue;
@@ -84,7 +113,7 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
 void restoreSnapshot(Queue& queue, GameState& state, const View& next, const Snapshot& snapshot) {
   Tables tables;
   state.tables.download(&tables, 1);
-  checkSnapshot(snapshot, tables);
+  checkSnapshot(snapshot, tables, state.gather());
   const uint32_t n = next.capacity;
   std::vector<Cell> now(n), before(n);
   std::vector<Float4> force(n), direction(n), motion(n);
@@ -117,10 +146,22 @@ void restoreSnapshot(Queue& queue, GameState& state, const View& next, const Sna
 
   // The NGrid is built over the start of the last tick, as maintain left it; the end of that tick then
   // stands in the same arrangement.
+  Cell* d_before = state.cells[1 - side].data();
   Buffer<Cell> byId(queue, n);
+  if (isArrangementState(state.gather())) {
+    const bool known = !snapshot.arrangement.empty();
+    const auto arrangement = known ? snapshot.arrangement : startArrangement(state.grid().dimensions());
+    Buffer<uint32_t> d_arrangement(queue, n);
+    d_arrangement.upload(arrangement);
+    byId.upload(before);
+    forEach(queue, Count{n}, FillByArrangement{d_before, state.cellOf.data(), d_arrangement.data(), byId.data()});
+    if (!known) state.grid().settle(queue, d_before, state.cellOf.data());
+    queue.synchronise();  // the sources of these copies end here
+  } else {
+    state.cells[1 - side].upload(before);
+    state.grid().rebuild(queue, d_before, state.cellOf.data());
+  }
   byId.upload(now);
-  state.cells[1 - side].upload(before);
-  state.grid().rebuild(queue, state.cells[1 - side].data(), state.cellOf.data());
   forEach(queue, Count{n}, PlaceById{state.cells[side].data(), state.cellOf.data(), byId.data()});
   queue.synchronise();
 }

@@ -1,4 +1,4 @@
-// The simulated state in canonical form: by id, without the NGrid's arrangement.
+// The simulated state in canonical form: by id; the NGrid's arrangement only where it is felt.
 #pragma once
 
 #include "game/sim/state.h"

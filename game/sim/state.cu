@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <stdexcept>
 
 #include "game/sim/state.h"
 
@@ -9,6 +12,23 @@ namespace {
 // Speed that integrate never exceeds. Broad-phase radii of collide are widened by it, so raising it makes
 // every gather there wider; lowering it clips knock-back.
 constexpr float kFastestEnemy_mps = 24.0f;
+
+// Exact gathers ask by rows, windows by both axes. The world of a game without a grid yet is known by its aspect.
+NDimensions dimensionsOf(const SimulationConfig& config) {
+  const uint32_t n = config.enemies + kShotCapacity + kBitCapacity;
+  if (!isArrangementState(config.gather)) return chooseDimensions(n);
+  return chooseWindowDimensions(n, config.rules.world.width_m / config.rules.world.height_m);
+}
+
+const SimulationConfig& checked(const SimulationConfig& config) {
+  if (config.gather == Gather::exact && config.sort != Sort::bitonic) {
+    throw std::invalid_argument("An exact gather needs rows in order, which odd-even transposition does not keep.");
+  }
+  if (config.gather != Gather::exact && config.broadPhase != BroadPhase::ngrid) {
+    throw std::invalid_argument("An inexact gather is the NGrid's: no other broad phase finds the same.");
+  }
+  return config;
+}
 
 Limits limitsOf(const SimulationConfig& config) {
   Limits limits{};
@@ -20,16 +40,27 @@ Limits limitsOf(const SimulationConfig& config) {
   }
   limits.fastestEnemy_mps = kFastestEnemy_mps;
   limits.enemies = config.enemies;
-  limits.capacity = chooseDimensions(config.enemies + kShotCapacity + kBitCapacity).cells();
+  limits.capacity = dimensionsOf(config).cells();
   return limits;
 }
 
 }  // namespace
 
+std::vector<uint32_t> startArrangement(NDimensions dimensions) {
+  const uint64_t columns = dimensions.columns, rows = dimensions.rows;
+  // How large a corner has to be to hold a cell: along rows and columns in the same parts of the whole.
+  const auto corner = [&](uint32_t cell) { return std::max(cell % columns * rows, cell / columns * columns); };
+  std::vector<uint32_t> byCorner(dimensions.cells()), arrangement(dimensions.cells());
+  std::iota(byCorner.begin(), byCorner.end(), 0u);
+  std::stable_sort(byCorner.begin(), byCorner.end(), [&](uint32_t a, uint32_t b) { return corner(a) < corner(b); });
+  for (uint32_t id = 0; id < byCorner.size(); ++id) arrangement[byCorner[id]] = id;
+  return arrangement;
+}
+
 GameState::GameState(Queue& queue, const SimulationConfig& config)
-    : limits_(limitsOf(config)), broadPhase_(config.broadPhase) {
+    : limits_(limitsOf(checked(config))), broadPhase_(config.broadPhase), gather_(config.gather), sort_(config.sort) {
   const uint32_t n = limits_.capacity;
-  grid_ = NGrid(queue, chooseDimensions(config.enemies + kShotCapacity + kBitCapacity));
+  grid_ = NGrid(queue, dimensionsOf(config));
   birthScan_ = Scan(queue, n);
   hashSum_ = Reduce(queue, n);
   tables = Buffer<Tables>(queue, 1);
@@ -46,11 +77,14 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   pushSum = Buffer<uint64_t>(queue, 2 * size_t(n));
   for (auto* words : {&births, &hashes, &threat}) *words = Buffer<uint64_t>(queue, n);
 
+  const bool arranged = isArrangementState(gather_);
+  const std::vector<uint32_t> ids = arranged ? startArrangement(grid_.dimensions()) : std::vector<uint32_t>{};
   std::vector<Cell> empty(n);
   std::vector<uint32_t> own(n);
   for (uint32_t i = 0; i < n; ++i) {
-    empty[i] = {kInfinity, kInfinity, i, kTypeNone};
-    own[i] = i;
+    const uint32_t id = arranged ? ids[i] : i;
+    empty[i] = {kInfinity, kInfinity, id, kTypeNone};
+    own[id] = i;
   }
   for (int side = 0; side < 2; ++side) {
     cells[side] = Buffer<Cell>(queue, n);
@@ -79,8 +113,10 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   if (config.mode == Mode::swarm) start.multiplierTenths = config.rules.swarm.multiplierTenths;
   master.upload(&start, 1);
 
-  grid_.rebuild(queue, cells[0].data(), cellOf.data());
-  grid_.rebuild(queue, cells[1].data(), cellOf.data());
+  if (!arranged) {
+    grid_.rebuild(queue, cells[0].data(), cellOf.data());
+    grid_.rebuild(queue, cells[1].data(), cellOf.data());
+  }
   queue.synchronise();
 }
 
@@ -118,6 +154,8 @@ View GameState::view(uint32_t parity) const {
   v.hashes = hashes.data();
   v.capacity = limits_.capacity;
   v.broadPhase = broadPhase_;
+  v.gather = gather_;
+  v.sort = sort_;
   return v;
 }
 

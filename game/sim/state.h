@@ -13,6 +13,7 @@
 #include "gpu/ngrid.h"
 #include "gpu/row_gather.h"
 #include "gpu/scan_reduce.h"
+#include "gpu/window_gather.h"
 
 namespace gw::GW_DEVICE {
 
@@ -59,6 +60,8 @@ struct View {
 
   uint32_t capacity;
   BroadPhase broadPhase;
+  Gather gather;
+  Sort sort;
 };
 
 // Purposes of random numbers: the third word of a counter. Never reuse or renumber.
@@ -73,14 +76,29 @@ enum Purpose : uint32_t {
   kPurposeParticles = 64,  // (tick, source, ., particle of its burst) way, speed, life and size of a spark
 };
 
-// Launches with the search that was asked for: launch(search) with a RowGather or a BruteForce.
+// Launches with the search that was asked for, over `cells` and the grid of them. Kernels ask it by around() and
+// after(), which every search has: their askers stand in a cell.
+template <class Launch>
+void withSearchOf(const View& view, const Cell* cells, const NGridView& grid, const Launch& launch) {
+  if (view.broadPhase == BroadPhase::bruteForce) {
+    launch(BruteForce{cells, view.capacity});
+  } else if (view.gather == Gather::adaptive) {
+    launch(AdaptiveGather{grid});
+  } else if (view.gather == Gather::fixed) {
+    launch(FixedGather{grid});
+  } else {
+    launch(RowGather{grid});
+  }
+}
+
 template <class Launch>
 void withSearch(const View& view, const Launch& launch) {
-  if (view.broadPhase == BroadPhase::ngrid) {
-    launch(RowGather{view.grid});
-  } else {
-    launch(BruteForce{view.cells, view.capacity});
-  }
+  withSearchOf(view, view.cells, view.grid, launch);
+}
+
+// With an inexact gather the arrangement of the cells is felt: it is state.
+inline bool isArrangementState(Gather gather) {
+  return gather != Gather::exact;
 }
 
 GW_FN bool isEnemy(uint32_t type) {
@@ -99,12 +117,18 @@ GW_FN float reachOf(const EnemyRules& rules) {
              : sqrtf(rules.halfWidth_m * rules.halfWidth_m + rules.halfHeight_m * rules.halfHeight_m);
 }
 
+// The id in each cell at the start of a game with an inexact gather: a corner of the grid with the grid's own shape
+// holds the lowest ids, however many are alive, so that they fill it as they would fill all of it. The
+// upkeep of empty cells leaves it as it is.
+std::vector<uint32_t> startArrangement(NDimensions dimensions);
+
 class GameState {
  public:
   GameState(Queue& queue, const SimulationConfig& config);
 
   View view(uint32_t parity) const;  // parity of the tick
   const Limits& limits() const { return limits_; }
+  Gather gather() const { return gather_; }
   NGrid& grid() { return grid_; }
   Scan& birthScan() { return birthScan_; }
   Reduce& hashSum() { return hashSum_; }
@@ -126,6 +150,8 @@ class GameState {
  private:
   Limits limits_;
   BroadPhase broadPhase_;
+  Gather gather_;
+  Sort sort_;
   NGrid grid_;
   Scan birthScan_;
   Reduce hashSum_;

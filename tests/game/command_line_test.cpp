@@ -93,6 +93,26 @@ TEST(CommandLine, VerifyTakesFiles) {
   EXPECT_EQ(accepted("verify --jobs=3 a").jobs, 3u);
 }
 
+TEST(CommandLine, TakesGatherAndSort) {
+  const Options none = accepted("");
+  EXPECT_FALSE(none.gather || none.sort);
+  const Options both = accepted("--gather fixed --sort odd-even");
+  EXPECT_EQ(both.gather, Gather::fixed);
+  EXPECT_EQ(both.sort, Sort::oddEven);
+  EXPECT_EQ(accepted("--gather adaptive --broad-phase ngrid").gather, Gather::adaptive);
+  EXPECT_EQ(accepted("--gather exact --broad-phase brute").gather, Gather::exact);
+  // What the file holds is not known yet.
+  EXPECT_EQ(accepted("verify a --sort odd-even").sort, Sort::oddEven);
+}
+
+TEST(CommandLine, ThesisIsShorthand) {
+  for (const char* line : {"--thesis", "--thesis --gather adaptive", "--sort bitonic --thesis", "verify a --thesis"}) {
+    const Options o = accepted(line);
+    EXPECT_EQ(o.gather, Gather::adaptive) << line;
+    EXPECT_EQ(o.sort, Sort::bitonic) << line;
+  }
+}
+
 TEST(CommandLine, FilesMayBeginWithADashAfterTwo) {
   EXPECT_EQ(accepted("verify -- -a.gwr --b").files, (std::vector<std::filesystem::path>{"-a.gwr", "--b"}));
 }
@@ -120,7 +140,8 @@ TEST(CommandLine, HelpAndVersionGoToStdout) {
   EXPECT_NE(parse("--help").output.find("verify"), std::string::npos);
   EXPECT_NE(parse("verify --help").output.find("--jobs"), std::string::npos);
   EXPECT_NE(parse("play --help").output.find("--autopilot novice|expert"), std::string::npos);
-  EXPECT_EQ(parse("play --help").output.find("thesis"), std::string::npos);
+  EXPECT_NE(parse("play --help").output.find("--thesis"), std::string::npos);
+  EXPECT_NE(parse("play --help").output.find("--gather exact|adaptive|fixed"), std::string::npos);
   EXPECT_EQ(parse("--version").output.rfind("gpuwars ", 0), 0u);
 }
 
@@ -134,16 +155,10 @@ const Refusal kRefusals[] = {
     {"--mode deadline", "'--mode deadline' is not in this version yet; choose arcade"},
     {"--mode swarm", "'--mode swarm' is not in this version yet; choose arcade"},
     {"--mode practice", "'--mode practice' is not in this version yet; choose arcade"},
-    {"--gather adaptive", "'--gather adaptive' is not in this version yet; choose exact"},
-    {"--gather fixed", "'--gather fixed' is not in this version yet; choose exact"},
-    {"--sort odd-even", "'--sort odd-even' is not in this version yet; choose bitonic"},
-    {"--sort full", "'--sort full' is not in this version yet; choose bitonic"},
-    {"--sort frozen", "'--sort frozen' is not in this version yet; choose bitonic"},
+    {"--sort full", "'--sort full' is not in this version yet; choose bitonic|odd-even"},
+    {"--sort frozen", "'--sort frozen' is not in this version yet; choose bitonic|odd-even"},
     {"--broad-phase grid", "'--broad-phase grid' is not in this version yet; choose ngrid|brute"},
     {"--broad-phase grid-hashed", "'--broad-phase grid-hashed' is not in this version yet; choose ngrid|brute"},
-    {"--thesis", "'--thesis' is not in this version yet; leave it out to play the exact game"},
-    {"verify a --thesis", "'--thesis' is not in this version yet; leave it out to play the exact game"},
-    {"replay a --gather fixed", "'--gather fixed' is not in this version yet; choose exact"},
     {"profile", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
     {"profile --help", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
     {"render a.gwr --out b", "'gpuwars render' is not in this version yet; see 'gpuwars --help' for what is"},
@@ -183,7 +198,27 @@ const Refusal kRefusals[] = {
      "'--record' is followed by '--headless' where its file name should be; give it one "
      "('./--headless' if it is really called so)"},
     {"--record", "'--record' needs a value; see 'gpuwars play --help'"},
+    {"--gather none", "'--gather none' is not known; choose exact|adaptive|fixed"},
+    {"--sort quick", "'--sort quick' is not known; choose bitonic|odd-even"},
+    {"--thesis=2d", "'--thesis' takes no value; leave out what follows its '='"},
+    {"--thesis --thesis --gather", "'--gather' needs a value; see 'gpuwars play --help'"},
     // Contradictions.
+    {"--sort odd-even",
+     "'--sort odd-even' does not keep the order that an exact gather needs; add '--gather adaptive' or "
+     "'--gather fixed'"},
+    {"verify a --gather exact --sort odd-even",
+     "'--sort odd-even' does not keep the order that an exact gather needs; add '--gather adaptive' or "
+     "'--gather fixed'"},
+    {"--gather fixed --broad-phase brute",
+     "'--gather fixed' asks the NGrid, which '--broad-phase brute' does without; leave out one of the two"},
+    {"verify a --thesis --broad-phase brute",
+     "'--thesis' asks the NGrid, which '--broad-phase brute' does without; leave out one of the two"},
+    {"--thesis --gather fixed",
+     "'--thesis' means '--gather adaptive --sort bitonic'; leave it or '--gather fixed' out"},
+    {"--thesis --gather exact",
+     "'--thesis' means '--gather adaptive --sort bitonic'; leave it or '--gather exact' out"},
+    {"replay a --sort odd-even --thesis",
+     "'--thesis' means '--gather adaptive --sort bitonic'; leave it or '--sort odd-even' out"},
     {"--headless", "'--headless' does not end by itself; give '--ticks N' too"},
     {"--headless --autopilot expert", "'--headless' does not end by itself; give '--ticks N' too"},
     {"--headless --ticks 5 --fullscreen", "'--headless' has no window for '--fullscreen'; leave out one of the two"},

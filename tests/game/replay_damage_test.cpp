@@ -85,7 +85,7 @@ TEST(ReplayDamage, ForeignFilesAreNamedAsSuch) {
 TEST(ReplayDamage, NewerFormatIsRefusedByName) {
   ForgedFile file(sampleFile());
   file.setHeader16(kOffsetMajor, kReplayMajor + 1);
-  EXPECT_TRUE(contains(refusalOf(file.seal()), "format 2.0, newer than this program's 1.0")) << refusalOf(file.seal());
+  EXPECT_TRUE(contains(refusalOf(file.seal()), "format 2.0, newer than this program's 1.1")) << refusalOf(file.seal());
 }
 
 TEST(ReplayDamage, NewerMinorIsAccepted) {
@@ -162,6 +162,9 @@ const Forgery kForgeries[] = {
     {"NoEnemies", [](ForgedFile& f) { f.setHeader32(kOffsetEnemies, 0); }, "number of enemies"},
     {"AbsurdEnemies", [](ForgedFile& f) { f.setHeader32(kOffsetEnemies, kMaxEnemies + 1); }, "number of enemies"},
     {"UnknownAutopilot", [](ForgedFile& f) { f.setHeader32(kOffsetAutopilot, 3); }, "autopilot is unknown"},
+    {"UnknownGather", [](ForgedFile& f) { f.setHeader32(kOffsetGather, 3); }, "gather is unknown"},
+    {"UnknownSort", [](ForgedFile& f) { f.setHeader32(kOffsetSort, 2); }, "sort is unknown"},
+    {"ExactOddEven", [](ForgedFile& f) { f.setHeader32(kOffsetGather, 0); }, "gather and sort do not go together"},
     {"OtherHeaderLength", [](ForgedFile& f) { f.setHeader32(kOffsetHeaderBytes, 64); }, "another length"},
     {"FormatZero", [](ForgedFile& f) { f.setHeader16(kOffsetMajor, 0); }, "format 0.0"},
     {"UnknownFlags", [](ForgedFile& f) { f.chunk(kFinalChunk).flags = 3; }, "unknown flags"},

@@ -13,8 +13,8 @@ using namespace replay_format;
 
 Replay sampleReplay() {
   Replay replay;
-  replay.header = {0x0123456789abcdef, Mode::arcade,       8192,
-                   Autopilot::novice,  kSimulationVersion, "--seed 7 --headless"};
+  replay.header = {0x0123456789abcdef, Mode::arcade,          8192,          Autopilot::novice,
+                   kSimulationVersion, "--seed 7 --headless", Gather::fixed, Sort::oddEven};
   replay.rules = {{"g", "a = 1\n"}, {"e", ""}, {"w", "# waves\n"}};
   const InputRecord still{}, right{kStickFull, 0, 0, kButtonFire}, down{-5, -kStickFull, 65535, kButtonsKnown};
   replay.inputs = {still, still, right, right, right, down, still, right, right, right, right, right};

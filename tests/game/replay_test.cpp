@@ -49,6 +49,29 @@ TEST(Replay, KeepsHowTheRunEnded) {
   EXPECT_FALSE(throughBytes(replay).result.over);
 }
 
+// Files of format 1.0 have zeros where gather and sort stand now.
+TEST(Replay, OlderFilesAreExact) {
+  ForgedFile old(encodeReplay(sampleReplay()));
+  old.setHeader16(kOffsetMinor, 0);
+  old.setHeader32(kOffsetGather, 0);
+  old.setHeader32(kOffsetSort, 0);
+  const Replay replay = decodeReplay(old.seal(), "old.gwr");
+  EXPECT_EQ(replay.header.gather, Gather::exact);
+  EXPECT_EQ(replay.header.sort, Sort::bitonic);
+}
+
+TEST(Replay, EveryGatherAndSortThatGoTogetherSurvive) {
+  for (const auto& [gather, sort] : {std::pair(Gather::exact, Sort::bitonic),
+                                     {Gather::adaptive, Sort::bitonic},
+                                     {Gather::adaptive, Sort::oddEven},
+                                     {Gather::fixed, Sort::bitonic}}) {
+    Replay replay = sampleReplay();
+    replay.header.gather = gather;
+    replay.header.sort = sort;
+    EXPECT_TRUE(sameContent(throughBytes(replay), replay));
+  }
+}
+
 RC_GTEST_PROP(Replay, SurvivesWhateverWasPlayed, ()) {
   const auto stick = rc::gen::inRange<int>(-kStickFull, kStickFull + 1);
   const auto runs = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::pair<uint32_t, uint32_t>>>(
@@ -102,10 +125,12 @@ TEST(Replay, HoldsFourHoursOfChangingInput) {
 
 TEST(Replay, LiesInTheFileAsDocumented) {
   const Bytes file = encodeReplay(sampleReplay());
-  const Bytes start = {'G', 'W', 'R', 'P', '\r', '\n', 0x1a, '\n', 1, 0, 0, 0, 128, 0, 0, 0};
+  const Bytes start = {'G', 'W', 'R', 'P', '\r', '\n', 0x1a, '\n', 1, 0, 1, 0, 128, 0, 0, 0};
   EXPECT_EQ(Bytes(file.begin(), file.begin() + 16), start);
   EXPECT_EQ(getLittle<uint64_t>(file, 24), 0x0123456789abcdefu);
   EXPECT_EQ(getLittle<uint32_t>(file, 44), 12u);
+  EXPECT_EQ(getLittle<uint32_t>(file, 52), 2u);  // fixed
+  EXPECT_EQ(getLittle<uint32_t>(file, 56), 1u);  // odd-even
   EXPECT_EQ(std::string(file.begin() + 128, file.begin() + 132), "OPTS");
   EXPECT_EQ(std::string(file.end() - 32, file.end() - 28), "END!");
 }
@@ -121,6 +146,9 @@ TEST(Replay, WriterRefusesWhatNoReaderTakes) {
   refused([](Replay& r) { r.header.enemies = 0; });
   refused([](Replay& r) { r.header.enemies = kMaxEnemies + 1; });
   refused([](Replay& r) { r.header.mode = Mode(9); });
+  refused([](Replay& r) { r.header.gather = Gather(3); });
+  refused([](Replay& r) { r.header.sort = Sort(2); });
+  refused([](Replay& r) { r.header.gather = Gather::exact; });  // with the sample's odd-even sort
   refused([](Replay& r) { r.header.options.assign(kMaxOptionsBytes + 1, 'x'); });
   refused([](Replay& r) { r.rules.waves.text.assign(kMaxRuleText + 1, '#'); });
   refused([](Replay& r) { r.inputs[3].move_x = -32768; });
