@@ -7,10 +7,12 @@
 //
 // Each way plays its own game. Recall and candidates are of the last tick: every enemy gathers within its vision
 // where it stood, and an exact game that is given the same snapshot says how many neighbours there were. Times
-// are medians over rounds; the ways take turns within a round, so that drift of the machine meets all alike.
+// are of the processor, all threads together (one by default, since waiting workers spin), and medians over
+// rounds; the ways take turns within a round, so that drift of the machine meets all alike.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -36,6 +38,13 @@ constexpr Way kWays[] = {{"exact, bitonic", Gather::exact, Sort::bitonic},
                          {"adaptive, bitonic", Gather::adaptive, Sort::bitonic},
                          {"adaptive, odd-even", Gather::adaptive, Sort::oddEven}};
 
+template <class Work>
+double processorMilliseconds(const Work& work) {
+  const std::clock_t begin = std::clock();
+  work();
+  return 1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
 struct Contender {
   SimulationConfig config;
   std::unique_ptr<Simulation> sim;
@@ -54,8 +63,8 @@ Contender contend(SimulationConfig config, const Way& way, bool swarm) {
 void playRound(Contender& c) {
   c.sim->restore(c.scene);
   playOn(*c.sim, 3);  // the upkeep after a start is not what is measured
-  c.ticks_ms.push_back(milliseconds([&] { playOn(*c.sim, kTicksPerRound); }) / kTicksPerRound);
-  c.gathers_ms.push_back(milliseconds([&] { c.sim->countCandidates(); }));
+  c.ticks_ms.push_back(processorMilliseconds([&] { playOn(*c.sim, kTicksPerRound); }) / kTicksPerRound);
+  c.gathers_ms.push_back(processorMilliseconds([&] { c.sim->countCandidates(); }));
 }
 
 double shareFound(const Contender& c, CandidateCount count) {
@@ -91,7 +100,7 @@ void addRows(std::ostringstream& rows, const SimulationConfig& config, bool swar
 
 int main(int argc, char** argv) {
   std::string out;
-  uint32_t threads = 0, rounds = 15, enemies = 8192;
+  uint32_t threads = 1, rounds = 15, enemies = 8192;
   for (int i = 1; i + 1 < argc; i += 2) {
     const auto number = [&] { return uint32_t(std::max(1, std::atoi(argv[i + 1]))); };
     if (!std::strcmp(argv[i], "--out")) out = argv[i + 1];
@@ -103,7 +112,7 @@ int main(int argc, char** argv) {
   table << "# Gathers\n\n"
         << machineLine() << "\n\n"
         << enemies << " enemies; medians of " << rounds << " rounds of " << kTicksPerRound
-        << " ticks; `gw_bench_gather`. A gather is one pass of every enemy over its vision.\n\n"
+        << " ticks, processor time; `gw_bench_gather`. A gather is one pass of every enemy over its vision.\n\n"
         << "| scene | gather, sort | recall | found per enemy | candidates per enemy | tick / exact | gather / exact "
            "| ms per tick | ms per gather |\n|---|---|---|---|---|---|---|---|---|\n";
   for (const bool swarm : {false, true}) addRows(table, configFor(enemies, threads, swarm), swarm, rounds);

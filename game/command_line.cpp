@@ -83,7 +83,7 @@ class VerbParser {
     }
     checkExtras();
     values_.read();
-    if (thesis_) takeThesis();
+    if (options_.thesis) takeThesis();
     if (takesFiles() && options_.files.empty()) {
       throw UsageError(fmt::format("'gpuwars {}' needs a replay; name the file", verb_.name));
     }
@@ -131,7 +131,8 @@ class VerbParser {
                    play ? "exact" : "the replay's", [&](uint32_t v) { options_.gather = Gather(v); });
     values_.choice("--sort", kSorts, "how the NGrid is kept in order", play ? "bitonic" : "the replay's",
                    [&](uint32_t v) { options_.sort = Sort(v); });
-    values_.flag("--thesis", "the thesis's own NGrid: --gather adaptive --sort bitonic", [&] { thesis_ = true; });
+    values_.flag("--thesis", "the thesis's own NGrid: --gather adaptive --sort bitonic",
+                 [&] { options_.thesis = true; });
     values_.choice(
         "--order", kOrders, "in which order the cpu device visits items", "forward",
         [&](uint32_t v) { options_.order = VisitOrder(v); }, kDiagnostics);
@@ -222,7 +223,7 @@ class VerbParser {
     if (o.gather.value_or(Gather::exact) != Gather::exact && o.broadPhase != BroadPhase::ngrid) {
       throw UsageError(
           fmt::format("'{}' asks the NGrid, which '--broad-phase brute' does without; leave out one of the two",
-                      thesis_ ? "--thesis" : fmt::format("--gather {}", nameOf(*o.gather))));
+                      o.thesis ? "--thesis" : fmt::format("--gather {}", nameOf(*o.gather))));
     }
   }
 
@@ -254,7 +255,6 @@ class VerbParser {
   Options& options_;
   CLI::App app_;
   CommandLineValues values_;
-  bool thesis_ = false;
 };
 
 const VerbName* findVerb(std::string_view name) {

@@ -30,6 +30,7 @@ struct Options {
   // bitonic. Inexact gathers change the game; a replay cannot be asked for others than it was recorded with.
   std::optional<Gather> gather;
   std::optional<Sort> sort;
+  bool thesis = false;  // they were asked for by --thesis
 
   // How it is computed (play, replay, verify). Cannot change the game.
   DeviceOption device = DeviceOption::automatic;

@@ -44,6 +44,9 @@ void setComputingOf(SimulationConfig& config, const Options& options, const std:
     throw UserError(ExitCode::badUsage, file + " was recorded with '--gather " + nameOf(config.gather) + " --sort " +
                                             nameOf(config.sort) + "': leave out " + asked + ".");
   };
+  const bool other =
+      (options.gather && *options.gather != config.gather) || (options.sort && *options.sort != config.sort);
+  if (options.thesis && other) refuse("'--thesis'");
   if (options.gather && *options.gather != config.gather)
     refuse(std::string("'--gather ") + nameOf(*options.gather) + "'");
   if (options.sort && *options.sort != config.sort) refuse(std::string("'--sort ") + nameOf(*options.sort) + "'");

@@ -162,6 +162,10 @@ class PlaySession {
     hud.best = best_;
     if (options_.autopilot == Autopilot::novice) hud.banner = "NOVICE AUTOPILOT";
     if (options_.autopilot == Autopilot::expert) hud.banner = "EXPERT AUTOPILOT";
+    // Another game than the usual one: say so.
+    const std::string neighbours =
+        neighboursText(options_.gather.value_or(Gather::exact), options_.sort.value_or(Sort::bitonic));
+    if (!neighbours.empty()) hud.banner += (hud.banner.empty() ? "" : "  ") + neighbours;
     drawHud(canvas, run_->monitor(), rules, hud);
     if (screen_ == Screen::play && options_.autopilot == Autopilot::none) loop_.drawCrosshair(canvas);
     if (screen_ == Screen::pause) drawPause(canvas, rules, {false, padGone_, hints});

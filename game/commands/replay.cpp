@@ -81,6 +81,8 @@ class ReplaySession {
     hud.realFps = loop_.realFps();
     hud.banner = "REPLAY  " + minutesSeconds(run_->last().tick) + " / " + minutesSeconds(replay_.ticks());
     if (options_.speed != 1) hud.banner += "  x" + oneDecimal(options_.speed);
+    const std::string neighbours = neighboursText(config_.gather, config_.sort);
+    if (!neighbours.empty()) hud.banner += "  " + neighbours;
     if (differs_) hud.banner += "  DIFFERS FROM TICK " + std::to_string(*differs_);
     drawHud(canvas, run_->monitor(), config_.rules, hud);
     const KeyHints hints = keyHints(settings_.bindings, loop_.input().padInUse());

@@ -108,6 +108,7 @@ TEST(CommandLine, TakesGatherAndSort) {
 TEST(CommandLine, ThesisIsShorthand) {
   for (const char* line : {"--thesis", "--thesis --gather adaptive", "--sort bitonic --thesis", "verify a --thesis"}) {
     const Options o = accepted(line);
+    EXPECT_TRUE(o.thesis);
     EXPECT_EQ(o.gather, Gather::adaptive) << line;
     EXPECT_EQ(o.sort, Sort::bitonic) << line;
   }
