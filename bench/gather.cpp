@@ -1,7 +1,7 @@
 // What windowed gathers cost and what they miss: 8,192 enemies, one after the other with every gather and sort.
 //
 //   uniform  about 20 neighbours within vision everywhere; 70 % of the enemies attack, 30 % wander
-//   swarm    every enemy has attacked an untouchable ship for 20 s
+//   swarm    every enemy has attacked an untouchable ship for 20 s of an exact game, then 5 s of its own
 //
 //   build/release/gw_bench_gather [--out FILE.md] [--threads N] [--enemies N] [--rounds R]
 //
@@ -25,7 +25,7 @@ namespace {
 using namespace gw;
 using namespace gw::bench;
 
-constexpr uint32_t kTicksPerRound = 30;
+constexpr uint32_t kTicksPerRound = 30, kOwnTicks = 300;
 
 struct Way {
   const char* name;
@@ -52,11 +52,16 @@ struct Contender {
   std::vector<double> ticks_ms, gathers_ms;
 };
 
-Contender contend(SimulationConfig config, const Way& way, bool swarm) {
+// `start` is an exact game's: an inexact one arranges its cells afresh, then lives with what its upkeep makes of it.
+Contender contend(SimulationConfig config, const Way& way, const Snapshot& start, bool swarm) {
   config.gather = way.gather;
   config.sort = way.sort;
-  Contender c{config, cpu::makeSimulation(config), {}, {}, {}};
-  c.scene = swarm ? swarmScene(*c.sim, config) : uniformScene(*c.sim, config);
+  Contender c{config, cpu::makeSimulation(config), start, {}, {}};
+  if (swarm) {
+    c.sim->restore(start);
+    playOn(*c.sim, kOwnTicks);
+    c.scene = c.sim->snapshot();
+  }
   return c;
 }
 
@@ -78,7 +83,9 @@ double shareFound(const Contender& c, CandidateCount count) {
 
 void addRows(std::ostringstream& rows, const SimulationConfig& config, bool swarm, uint32_t rounds) {
   std::vector<Contender> contenders;
-  for (const Way& way : kWays) contenders.push_back(contend(config, way, swarm));
+  const auto exact = cpu::makeSimulation(config);
+  const Snapshot start = swarm ? swarmScene(*exact, config) : uniformScene(*exact, config);
+  for (const Way& way : kWays) contenders.push_back(contend(config, way, start, swarm));
   for (uint32_t round = 0; round < rounds; ++round) {
     for (Contender& c : contenders) playRound(c);
   }

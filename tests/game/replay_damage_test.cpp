@@ -85,7 +85,7 @@ TEST(ReplayDamage, ForeignFilesAreNamedAsSuch) {
 TEST(ReplayDamage, NewerFormatIsRefusedByName) {
   ForgedFile file(sampleFile());
   file.setHeader16(kOffsetMajor, kReplayMajor + 1);
-  EXPECT_TRUE(contains(refusalOf(file.seal()), "format 2.0, newer than this program's 1.1")) << refusalOf(file.seal());
+  EXPECT_TRUE(contains(refusalOf(file.seal()), "format 2.1, newer than this program's 1.1")) << refusalOf(file.seal());
 }
 
 TEST(ReplayDamage, NewerMinorIsAccepted) {
@@ -166,7 +166,7 @@ const Forgery kForgeries[] = {
     {"UnknownSort", [](ForgedFile& f) { f.setHeader32(kOffsetSort, 2); }, "sort is unknown"},
     {"ExactOddEven", [](ForgedFile& f) { f.setHeader32(kOffsetGather, 0); }, "gather and sort do not go together"},
     {"OtherHeaderLength", [](ForgedFile& f) { f.setHeader32(kOffsetHeaderBytes, 64); }, "another length"},
-    {"FormatZero", [](ForgedFile& f) { f.setHeader16(kOffsetMajor, 0); }, "format 0.0"},
+    {"FormatZero", [](ForgedFile& f) { f.setHeader16(kOffsetMajor, 0); }, "format 0.1"},
     {"UnknownFlags", [](ForgedFile& f) { f.chunk(kFinalChunk).flags = 3; }, "unknown flags"},
     {"OptionalInputs", [](ForgedFile& f) { f.chunk(kInputsChunk).flags = 0; }, "mislabelled"},
     {"TwoFinals", [](ForgedFile& f) { f.chunks.push_back(f.chunk(kFinalChunk)); }, "stands in it twice"},
