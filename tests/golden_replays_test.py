@@ -97,6 +97,15 @@ def main():
         folder.want((int(replay.read_bytes() != kept), ""), "the good recording stays")
         folder.want(folder.check(), "and is good")
 
+        # Other tables are another game.
+        folder.write("golden.list", f"short | {OPTIONS} --with-waves-of hexagon\n")
+        folder.want(folder.record(), "recording with other waves", "kills.triangle must be at least 5, is 0")
+        folder.write("golden.list", f"short | {OPTIONS} --with-sight 0.1\n")
+        folder.want(folder.record(), "recording with less sight", "attacking' is never taken")
+        folder.write("golden.list", f"short | {OPTIONS} --with-waves-of pentagon\n")
+        folder.want(folder.record(), "recording with waves of nobody", "pentagon")
+        folder.write("golden.list", f"short | {OPTIONS}\n")
+
         damaged = bytearray(kept)
         damaged[len(damaged) // 2] ^= 1
         replay.write_bytes(damaged)
