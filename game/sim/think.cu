@@ -76,11 +76,18 @@ struct Think {
     const State before = State(state.x);
     if (before == State::avoiding && state.y > 0) --state.y;
     if (state.z > 0) --state.z;
+    uint32_t conditions = conditionsOf(self, state, rules, threat);
     Company company;
-    const bool looks = rules.machine != Machine::kamikaze && (kLooksAround >> uint32_t(before) & 1u) != 0;
-    if (looks) lookAround(i, cell, rules.vision_m, company);
-
-    const uint32_t conditions = conditionsOf(self, state, rules, looks, company.count, threat);
+    if (rules.machine != Machine::kamikaze && (kLooksAround >> uint32_t(before) & 1u) != 0) {
+      // Whoever attacks and sees the ship asks nobody, but for a group's heading: most of a horde, most of the time.
+      const bool attacks = before == State::attacking && !(conditions & kLostShip);
+      if (!attacks) {
+        lookAround(i, cell, rules.vision_m, company);
+        conditions |= company.count > 0 ? kOwnKind : kAlone;
+      } else if (rules.machine == Machine::group) {
+        lookAlong(i, cell, rules.vision_m, company);
+      }
+    }
     const State after = nextState(v.tables->machines[uint32_t(rules.machine)], before, conditions);
     if (after == State::checkingEnergy) state.w &= ~uint32_t(kFlagHit);
     if (after == State::avoiding && before != State::avoiding) {
@@ -119,8 +126,16 @@ struct Think {
     });
   }
 
-  GW_BODY uint32_t conditionsOf(const Self& self, const Uint4& state, const EnemyRules& rules, bool looked,
-                                uint32_t company, uint64_t threat) const {
+  // Their heading only.
+  GW_BODY void lookAlong(uint32_t i, const Cell& cell, float vision_m, Company& company) const {
+    search.around(i, cell.x, cell.y, vision_m, [&](const Cell& other, uint32_t, float, float) {
+      if (other.type != cell.type || other.id == cell.id) return;
+      const Float4 theirs = v.directionMass[other.id];
+      company.heading.add(theirs.x, theirs.y, kSteerScale);
+    });
+  }
+
+  GW_BODY uint32_t conditionsOf(const Self& self, const Uint4& state, const EnemyRules& rules, uint64_t threat) const {
     const Rules::Steering& steering = v.tables->rules.steering;
     const bool all = v.master->allAttack != 0;
     uint32_t conditions = 0;
@@ -132,7 +147,6 @@ struct Think {
     if (threat != 0 && state.z == 0) conditions |= kShotComing;
     if (all || self.shipDistance_m <= rules.sight_m) conditions |= kSeesShip;
     if (!all && self.shipDistance_m > rules.sight_m * steering.sightLost) conditions |= kLostShip;
-    if (looked) conditions |= company > 0 ? kOwnKind : kAlone;
     return conditions;
   }
 
