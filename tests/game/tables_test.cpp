@@ -89,7 +89,7 @@ TEST(Tables, HoldBitsFlushSteeringAndIdle) {
 
 TEST(Tables, HoldTheEnemyTypes) {
   const Rules rules = loadRules(assets());
-  ASSERT_EQ(rules.enemyTypeCount, 3u);
+  ASSERT_EQ(rules.enemyTypeCount, 7u);
   const EnemyRules& triangle = rules.enemies[0];
   EXPECT_STREQ(triangle.name, "triangle");
   EXPECT_EQ(triangle.machine, Machine::kamikaze);
@@ -113,11 +113,51 @@ TEST(Tables, HoldTheEnemyTypes) {
   EXPECT_EQ(hexagon.halfWidth_m, 1.2f);
   EXPECT_EQ(hexagon.energy, 16.0f);
   EXPECT_EQ(hexagon.mass, 8.0f);
-  EXPECT_EQ(hexagon.contact_us, 12'000u);
+  EXPECT_GT(hexagon.contact_us, triangle.contact_us);  // how much is a question of balance
   EXPECT_EQ(hexagon.value, 150u);
   EXPECT_EQ(hexagon.bits, 6u);
   EXPECT_EQ(hexagon.shape, Shape::hexagon);
   EXPECT_EQ(hexagon.colour, 0xff3030u);
+  EXPECT_EQ(hexagon.avoidCooldown_ticks, 0u);  // a kamikaze does not dodge
+
+  const char* const names[] = {"vertex", "texel", "fragment", "compute"};
+  const Machine machines[] = {Machine::group, Machine::group, Machine::tricky, Machine::tricky};
+  const Shape shapes[] = {Shape::dart, Shape::checkered, Shape::star, Shape::doubleRing};
+  for (uint32_t i = 0; i < 4; ++i) {
+    const EnemyRules& enemy = rules.enemies[3 + i];
+    EXPECT_STREQ(enemy.name, names[i]);
+    EXPECT_EQ(enemy.machine, machines[i]);
+    EXPECT_EQ(enemy.shape, shapes[i]);
+    EXPECT_EQ(enemy.avoidCooldown_ticks, i == 0 ? 240u : 90u);
+  }
+}
+
+TEST(Tables, HoldWhatGroupAndTrickyDo) {
+  const Rules::Steering steering = loadRules(assets()).steering;
+  EXPECT_EQ(steering.cohesion, 0.5f);
+  EXPECT_EQ(steering.alignment, 0.6f);
+  EXPECT_EQ(steering.attackAlignment, 0.3f);
+  EXPECT_EQ(steering.sideways, 0.7f);
+  EXPECT_EQ(steering.sidewaysBeyond_m, 10.0f);
+  EXPECT_EQ(steering.threat_m, 6.0f);
+  EXPECT_EQ(steering.threatMargin_m, 0.5f);
+  EXPECT_EQ(steering.avoid_mps, 15.0f);
+  EXPECT_EQ(steering.avoidResponse, 0.5f);
+  EXPECT_EQ(steering.avoid_ticks, 12u);
+  EXPECT_EQ(steering.escapeBelow, 0.4f);
+  EXPECT_EQ(steering.recoveredAt, 0.9f);
+  EXPECT_EQ(steering.recover_per_s, 1.0f);
+  EXPECT_EQ(steering.escapeSpeed, 1.1f);
+}
+
+TEST(Tables, HoldWhatTheModesDoOtherwise) {
+  const Rules rules = loadRules(assets());
+  EXPECT_EQ(rules.deadline.clock_ticks, 180u * kTicksPerSecond);
+  EXPECT_EQ(rules.deadline.waveRate, 2u);
+  EXPECT_EQ(rules.deadline.contactTicks_per_ms, 18u);
+  EXPECT_EQ(rules.swarm.clearance_m, 30.0f);
+  EXPECT_EQ(rules.swarm.multiplierTenths, 100u);
+  EXPECT_EQ(rules.swarm.attackShare, 0.01f);
 }
 
 TEST(Tables, HoldALivelyTimetable) {
@@ -143,7 +183,10 @@ TEST(Tables, HoldTheEndlessWaves) {
   EXPECT_GE(endless.points, 100.0f);  // how many is a question of balance...
   EXPECT_GT(endless.growth, 1.0f);    // ...that it grows is not
   EXPECT_EQ(endless.price[2], 8.0f);
-  EXPECT_EQ(endless.chance_percent[0] + endless.chance_percent[1] + endless.chance_percent[2], 100u);
+  EXPECT_EQ(endless.price[3], 0.5f);
+  uint32_t sum_percent = 0;
+  for (const uint32_t chance : endless.chance_percent) sum_percent += chance;
+  EXPECT_EQ(sum_percent, 100u);
 }
 
 // The rules are hashed as bytes: whatever lay in memory before must not show through.
@@ -158,7 +201,7 @@ TEST(Tables, EqualTextsGiveEqualBytes) {
 TEST(Tables, UnusedEntriesAndNamesArePaddedWithZeros) {
   const Rules rules = loadRules(assets());
   const EnemyRules nothing{};
-  EXPECT_EQ(std::memcmp(&rules.enemies[3], &nothing, sizeof nothing), 0);
+  EXPECT_EQ(std::memcmp(&rules.enemies[7], &nothing, sizeof nothing), 0);
   for (size_t i = 5; i < sizeof rules.enemies[1].name; ++i) EXPECT_EQ(rules.enemies[1].name[i], 0) << i;
 }
 
