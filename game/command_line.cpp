@@ -27,7 +27,10 @@ constexpr VerbName kVerbs[] = {
 };
 constexpr std::string_view kLaterVerbs[] = {"profile", "render"};
 
-constexpr Choice kModes[] = {{"arcade", uint32_t(Mode::arcade)}, {"deadline"}, {"swarm"}, {"practice"}};
+constexpr Choice kModes[] = {{"arcade", uint32_t(Mode::arcade)},
+                             {"deadline", uint32_t(Mode::deadline)},
+                             {"swarm", uint32_t(Mode::swarm)},
+                             {"practice", uint32_t(Mode::practice)}};
 constexpr Choice kDevices[] = {{"auto", uint32_t(DeviceOption::automatic)},
                                {"cuda", uint32_t(DeviceOption::cuda)},
                                {"cpu", uint32_t(DeviceOption::cpu)}};

@@ -119,13 +119,24 @@ void GameLoop::runTicks(Run& run, const Rules& rules, const InputSource& input) 
 }
 
 InputRecord GameLoop::playerInput(const Run& run) {
-  WorldPoint pointer;
+  return input_.record({run.last().ship_x, run.last().ship_y}, underPointer());
+}
+
+WorldPoint GameLoop::underPointer() const {
+  WorldPoint place;
   int width = 1, height = 1;  // events count in the window's own units, which are not always pixels
   SDL_GetWindowSize(context_->window(), &width, &height);
   if (camera_) {
-    camera_->toWorld(input_.pointer_x_px(), input_.pointer_y_px(), float(width), float(height), pointer.x, pointer.y);
+    camera_->toWorld(input_.pointer_x_px(), input_.pointer_y_px(), float(width), float(height), place.x, place.y);
   }
-  return input_.record({run.last().ship_x, run.last().ship_y}, pointer);
+  return place;
+}
+
+CanvasPoint GameLoop::onCanvas(WorldPoint place) const {
+  CanvasPoint point;
+  const float width = Canvas::kHeight * aspectOf(context_->size());
+  if (camera_) camera_->toPixels(place.x, place.y, width, Canvas::kHeight, point.x, point.y);
+  return point;
 }
 
 void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens) {

@@ -19,6 +19,10 @@
 
 namespace gw {
 
+struct CanvasPoint {
+  float x = 0, y = 0;
+};
+
 class GameLoop {
  public:
   // Opens the window. Throws UserError, one sentence, when there is no display or no OpenGL 4.5.
@@ -43,6 +47,9 @@ class GameLoop {
 
   // What keyboard, mouse and pad say now.
   InputRecord playerInput(const Run& run);
+  // What lies under the pointer, and where a place of the world is on a canvas; after the first frame.
+  WorldPoint underPointer() const;
+  CanvasPoint onCanvas(WorldPoint place) const;
 
   // Draws the run and the screens over it, shows the picture, and waits where the screen does not.
   void endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens);
@@ -58,6 +65,7 @@ class GameLoop {
   PlayerInput& input() { return input_; }
   Audio& audio() { return *audio_; }
   TickPacer& pacer() { return pacer_; }
+  const TickPacer& pacer() const { return pacer_; }
   double now_s() const { return now_s_; }
   double realFps() const { return realFps_; }
 

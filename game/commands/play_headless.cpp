@@ -10,6 +10,7 @@
 #include "game/interrupt.h"
 #include "game/ui/format.h"
 #include "game/ui/hud.h"
+#include "game/ui/mode_choice.h"
 #include "game/user_error.h"
 #include "game/world_view.h"
 #include "render/gl_context_egl.h"
@@ -58,6 +59,20 @@ Measured runTicks(Run& run, const Options& options, HashFile& hashes) {
   return measured;
 }
 
+std::string endingText(const TickReport& report, const Rules& rules) {
+  switch (report.ending) {
+    case Ending::frameRate:
+      return "under " + oneDecimal(framesPerSecond(rules.budget.limit_us)) + " FPS";
+    case Ending::timeUp:
+      return "time up";
+    case Ending::cleared:
+      return "cleared";
+    case Ending::none:
+      break;
+  }
+  return "not over";
+}
+
 void printSummary(Run& run, const RunFactory& factory, const Options& options, uint64_t seed,
                   const Measured& measured) {
   const TickReport& report = run.last();
@@ -67,6 +82,7 @@ void printSummary(Run& run, const RunFactory& factory, const Options& options, u
        run.simulation().deviceName() + (factory.device().why.empty() ? "" : "  (" + factory.device().why + ")"));
   line("game", "seed " + std::to_string(seed) + ", " + withCommas(options.enemies) + " enemies fit, " +
                    withCommas(run.simulation().capacity()) + " entities");
+  line("mode", std::string(modeName(options.mode)) + ": " + endingText(report, rules));
   const std::string neighbours =
       neighboursText(options.gather.value_or(Gather::exact), options.sort.value_or(Sort::bitonic));
   if (!neighbours.empty()) line("neighbours", neighbours + "; misses some, see docs/thesis-preset.md");
@@ -111,6 +127,8 @@ void takePicture(Run& run, const RunFactory& factory, const Options& options) {
   view.draw(run, factory.rules(), camera, {size, 1, 1}, [&](Canvas& canvas) {
     HudFrame hud;
     hud.realFps = 0;
+    hud.mode = options.mode;
+    hud.enemies = options.enemies;
     drawHud(canvas, run.monitor(), factory.rules(), hud);
   });
   try {
@@ -128,7 +146,7 @@ ExitCode playHeadless(const Options& options) {
   const uint64_t seed = options.seed.value_or(1);
   RunFactory factory(options);
   HashFile hashes(options.hashesPath);
-  const std::unique_ptr<Run> run = factory.make(seed, options.autopilot, true);
+  const std::unique_ptr<Run> run = factory.make(options.mode, seed, options.autopilot, true);
   const Measured measured = runTicks(*run, options, hashes);
   run->finishRecording();
   const bool quiet = hashes.isStdout();  // then stdout is data

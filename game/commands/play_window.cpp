@@ -7,12 +7,16 @@
 #include "game/commands/player_settings.h"
 #include "game/commands/run_factory.h"
 #include "game/game_loop.h"
+#include "game/practice.h"
 #include "game/settings/settings_menu.h"
 #include "game/ui/format.h"
 #include "game/ui/game_over.h"
 #include "game/ui/hud.h"
+#include "game/ui/mode_choice.h"
 #include "game/ui/pause.h"
+#include "game/ui/practice_panel.h"
 #include "game/ui/screen_flow.h"
+#include "game/ui/session_best.h"
 #include "game/ui/settings_screen.h"
 #include "game/ui/title.h"
 
@@ -40,7 +44,8 @@ class PlaySession {
         factory_(options),
         settingsFile_(settingsFileOf(options)),
         settings_(readPlayerSettings(settingsFile_)),
-        loop_(options, settings_) {
+        loop_(options, settings_),
+        mode_(options.mode) {
     // Whoever names a bot or a length wants to see that run, not the title.
     const bool atOnce = options.autopilot != Autopilot::none || options.ticks > 0;
     screen_ = atOnce ? Screen::play : Screen::title;
@@ -78,6 +83,7 @@ class PlaySession {
     }
     if (screen_ != before) changeScreen(before);
     if (before == Screen::play && screen_ == Screen::over) keepBest();
+    if (practising()) practise();
     loop_.showCursor(screen_ != Screen::play);
     loop_.updateSound(sceneOf(screen_));
 
@@ -87,7 +93,10 @@ class PlaySession {
     bool ended = false;
     loop_.runTicks(*run_, factory_.rules(), [&](InputRecord& record) {
       ended = screen_ == Screen::play && options_.ticks > 0 && run_->last().tick >= options_.ticks;
-      if (screen_ == Screen::play) record = loop_.playerInput(*run_);
+      if (screen_ == Screen::play) {
+        record = loop_.playerInput(*run_);
+        if (practising()) record.buttons |= practice_->takeButtons();
+      }
       return !ended;
     });
     return !ended;
@@ -99,11 +108,16 @@ class PlaySession {
     FlowInput input;
     // Enter and Escape mean what they mean in menus, whatever is bound to them.
     const bool inMenu = screen_ != Screen::play;
-    input.confirm = keys.pressed(Action::confirm) || (inMenu && menu.confirm);
+    // In the pause of practice a click looks at an enemy, so only what confirms in every menu goes on.
+    const bool looking = screen_ == Screen::pause && practising();
+    input.confirm = (!looking && keys.pressed(Action::confirm)) || (inMenu && menu.confirm);
     input.retry = keys.pressed(Action::retry);
     input.pause = keys.pressed(Action::pause) || (inMenu && menu.escape);
     input.quit = keys.pressed(Action::quit);
     input.settings = keys.pressed(Action::settings);
+    if (screen_ == Screen::title) chooseMode(menu);
+    if (practising()) presses_ = practicePresses();
+    if (looking && keys.clicked()) inspect();
     keys.forgetPresses();
     input.lostFocus = keys.lostFocus();
     input.lostPad = keys.lostPad();
@@ -113,6 +127,47 @@ class PlaySession {
     padGone_ = (padGone_ || input.lostPad) && !keys.padInUse();
     if (screen_ == Screen::settings) input.settingsDone = changeSettings(menu);
     return input;
+  }
+
+  void chooseMode(const MenuPresses& menu) {
+    PlayerInput& keys = loop_.input();
+    int by = menu.right - menu.left;
+    // A pad's cross is both; the keys that move the ship choose where the menu's own do not.
+    if (by == 0) by = int(keys.pressed(Action::moveRight)) - int(keys.pressed(Action::moveLeft));
+    mode_ = modeBeside(mode_, by);
+  }
+
+  // A player who practises; a bot asks for its own.
+  bool practising() const { return practice_ && !attract_ && options_.autopilot == Autopilot::none; }
+
+  PracticePresses practicePresses() {
+    PlayerInput& keys = loop_.input();
+    const auto count = [&](Action action) {
+      int times = 0;
+      while (keys.pressed(action)) ++times;
+      return times;
+    };
+    PracticePresses presses;
+    presses.number = keys.number();
+    presses.nextType = count(Action::nextType);
+    presses.more = count(Action::more) - count(Action::fewer) + keys.wheel();
+    presses.spawn = count(Action::spawn);
+    presses.clear = count(Action::clear);
+    presses.slowMotion = count(Action::slowMotion);
+    return presses;
+  }
+
+  // After the flow of this frame: presses count where play goes on.
+  void practise() {
+    if (screen_ == Screen::play) practice_->press(presses_);
+    loop_.pacer().setSpeed(practice_->speed());
+    if (screen_ != Screen::pause) inspected_.reset();
+  }
+
+  void inspect() {
+    constexpr float kReach_m = 3;
+    const WorldPoint place = loop_.underPointer();
+    inspected_ = run_->simulation().inspect(place.x, place.y, kReach_m);
   }
 
   // A frame of the settings screen. True when the player is done there.
@@ -149,7 +204,7 @@ class PlaySession {
     const bool pad = loop_.input().padInUse();
     const KeyHints hints = keyHints(settings_.bindings, pad);
     if (screen_ == Screen::title) {
-      drawTitle(canvas, {shown_s, device_, options_.enemies, "arcade", best_, hints});
+      drawTitle(canvas, {shown_s, device_, options_.enemies, mode_, bestText(mode_, best_.of(mode_)), hints});
       return;
     }
     if (screen_ == Screen::settings) {
@@ -159,7 +214,9 @@ class PlaySession {
     HudFrame hud;
     hud.realFps = loop_.realFps();
     hud.droppedTicks = loop_.pacer().dropped();
-    hud.best = best_;
+    hud.mode = mode_;
+    hud.enemies = options_.enemies;
+    hud.best = bestText(mode_, best_.of(mode_));
     if (options_.autopilot == Autopilot::novice) hud.banner = "NOVICE AUTOPILOT";
     if (options_.autopilot == Autopilot::expert) hud.banner = "EXPERT AUTOPILOT";
     // Another game than the usual one: say so.
@@ -167,16 +224,38 @@ class PlaySession {
         neighboursText(options_.gather.value_or(Gather::exact), options_.sort.value_or(Sort::bitonic));
     if (!neighbours.empty()) hud.banner += (hud.banner.empty() ? "" : "  ") + neighbours;
     drawHud(canvas, run_->monitor(), rules, hud);
+    if (practising()) {
+      drawPracticePanel(canvas, rules,
+                        {practice_->type(), kPracticeCounts[practice_->number()], practice_->slow(), true, hints});
+    }
     if (screen_ == Screen::play && options_.autopilot == Autopilot::none) loop_.drawCrosshair(canvas);
-    if (screen_ == Screen::pause) drawPause(canvas, rules, {false, padGone_, hints});
-    if (screen_ == Screen::over) drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true, hints});
+    if (screen_ == Screen::pause) {
+      practising() ? drawPracticePause(canvas, rules, hints, padGone_, inspected())
+                   : drawPause(canvas, rules, {false, padGone_, hints});
+    }
+    if (screen_ == Screen::over) {
+      drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true, mode_, options_.enemies, hints});
+    }
+  }
+
+  // What was clicked on, where it is drawn: between its last two places.
+  std::optional<Inspected> inspected() const {
+    if (!inspected_) return std::nullopt;
+    const EntityRecord& e = *inspected_;
+    const float alpha = loop_.pacer().alpha();
+    const CanvasPoint at =
+        loop_.onCanvas({e.previous_x + (e.x - e.previous_x) * alpha, e.previous_y + (e.y - e.previous_y) * alpha});
+    return Inspected{e, at.x, at.y};
   }
 
   void startRun() {
     leaveRun();
     run_.reset();  // its memory first: two hordes at once may not fit
-    run_ = factory_.make(options_.seed ? *options_.seed : randomSeed(), options_.autopilot, true);
+    run_ = factory_.make(mode_, options_.seed ? *options_.seed : randomSeed(), options_.autopilot, true);
     attract_ = false;
+    practice_.reset();
+    if (mode_ == Mode::practice) practice_.emplace(factory_.rules().enemyTypeCount);
+    inspected_.reset();
     loop_.input().forgetPresses();
     loop_.startAfresh(*run_);
   }
@@ -184,7 +263,7 @@ class PlaySession {
   void startAttract() {
     leaveRun();
     run_.reset();
-    run_ = factory_.make(randomSeed(), Autopilot::expert, false);
+    run_ = factory_.make(Mode::arcade, randomSeed(), Autopilot::expert, false);
     attract_ = true;
     loop_.startAfresh(*run_);
   }
@@ -202,8 +281,8 @@ class PlaySession {
   }
 
   void keepBest() {
-    bestBefore_ = best_;
-    if (run_->last().score > best_) best_ = run_->last().score;
+    bestBefore_ = best_.of(mode_);
+    best_.enter(mode_, run_->last());
   }
 
   Options options_;
@@ -218,7 +297,12 @@ class PlaySession {
   std::optional<SettingsMenu> menu_;  // on the settings screen
   bool padGone_ = false;              // what the pause must say
   bool attract_ = false;
-  uint64_t best_ = 0, bestBefore_ = 0;
+  Mode mode_;  // chosen on the title, and of the run
+  SessionBest best_;
+  Best bestBefore_;
+  std::optional<Practice> practice_;       // while the run is one
+  PracticePresses presses_;                // of this frame
+  std::optional<EntityRecord> inspected_;  // in the pause of practice
 };
 
 }  // namespace

@@ -79,6 +79,8 @@ class ReplaySession {
   void drawScreens(Canvas& canvas) {
     HudFrame hud;
     hud.realFps = loop_.realFps();
+    hud.mode = config_.mode;
+    hud.enemies = config_.enemies;
     hud.banner = "REPLAY  " + minutesSeconds(run_->last().tick) + " / " + minutesSeconds(replay_.ticks());
     if (options_.speed != 1) hud.banner += "  x" + oneDecimal(options_.speed);
     const std::string neighbours = neighboursText(config_.gather, config_.sort);
@@ -89,7 +91,8 @@ class ReplaySession {
     if (ended()) {
       endedSince_s_ = endedSince_s_ == 0 ? loop_.now_s() : endedSince_s_;
       if (run_->over())
-        drawGameOver(canvas, run_->monitor(), config_.rules, {loop_.now_s() - endedSince_s_, 0, false, hints});
+        drawGameOver(canvas, run_->monitor(), config_.rules,
+                     {loop_.now_s() - endedSince_s_, {}, false, config_.mode, config_.enemies, hints});
     } else if (loop_.pacer().paused()) {
       drawPause(canvas, config_.rules, {.replay = true, .keys = hints});
     }

@@ -25,15 +25,15 @@ RunFactory::RunFactory(const Options& options)
       device_(chooseDevice(options.device)),
       texts_(readRuleTexts(assets_)) {
   config_.rules = loadRules(texts_);
-  config_.mode = options.mode;
   config_.enemies = options.enemies;
   setComputing(config_, options);
   config_.particles = !options.headless || !options.screenshotPath.empty();  // somebody looks
   if (!options.recordPath.empty()) checkWritable(options.recordPath);  // before anybody has played for it
 }
 
-std::unique_ptr<Run> RunFactory::make(uint64_t seed, Autopilot autopilot, bool recorded) {
+std::unique_ptr<Run> RunFactory::make(Mode mode, uint64_t seed, Autopilot autopilot, bool recorded) {
   SimulationConfig config = config_;
+  config.mode = mode;
   config.seed = seed;
   config.autopilot = autopilot;
   std::optional<Recorder> recorder;

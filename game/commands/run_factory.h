@@ -17,7 +17,7 @@ class RunFactory {
 
   // A new run. `recorded`: with the recording that --record asks for; the second recorded run of a session
   // goes to FILE-2.gwr and so on, so that "again" never costs a recording.
-  std::unique_ptr<Run> make(uint64_t seed, Autopilot autopilot, bool recorded);
+  std::unique_ptr<Run> make(Mode mode, uint64_t seed, Autopilot autopilot, bool recorded);
 
   const Rules& rules() const { return config_.rules; }
   const DeviceChoice& device() const { return device_; }

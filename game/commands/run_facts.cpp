@@ -5,15 +5,11 @@
 #include <string>
 
 #include "game/commands/hash_file.h"
+#include "game/ui/mode_choice.h"
 
 namespace gw {
 
 namespace {
-
-const char* modeName(Mode mode) {
-  constexpr const char* kNames[] = {"arcade", "deadline", "swarm", "practice"};
-  return kNames[uint32_t(mode)];
-}
 
 const char* endingName(Ending ending) {
   constexpr const char* kNames[] = {"none", "frame_rate", "time_up", "cleared"};
@@ -40,7 +36,7 @@ void RunFacts::add(const TickReport& report) {
 void factsToJson(nlohmann::ordered_json& json, const RunFacts& facts, const SimulationConfig& config) {
   const Rules& rules = config.rules;
   const TickReport& last = facts.last;
-  json["mode"] = modeName(config.mode);
+  json["mode"] = std::string(modeName(config.mode));
   json["enemiesFit"] = config.enemies;
   json["score"] = last.score;
   json["kills"] = last.kills;

@@ -10,12 +10,14 @@ namespace {
 constexpr uint16_t letter(char c) {
   return uint16_t(4 + c - 'A');
 }
-constexpr uint16_t kSpace = 44, kF11 = 68, kPauseKey = 72, kRight = 79, kLeft = 80, kDown = 81, kUp = 82,
-                   kKeypadEnter = 88, kLeftShift = 225;
+constexpr uint16_t kTab = 43, kSpace = 44, kMinus = 45, kEquals = 46, kF11 = 68, kPauseKey = 72, kRight = 79,
+                   kLeft = 80, kDown = 81, kUp = 82, kKeypadMinus = 86, kKeypadPlus = 87, kKeypadEnter = 88,
+                   kLeftShift = 225;
 
-constexpr std::string_view kNames[] = {"move_up",  "move_down", "move_left", "move_right", "aim_up", "aim_down",
-                                       "aim_left", "aim_right", "fire",      "flush",      "pause",  "confirm",
-                                       "retry",    "quit",      "settings",  "fullscreen", "mute"};
+constexpr std::string_view kNames[] = {"move_up",  "move_down", "move_left", "move_right", "aim_up",     "aim_down",
+                                       "aim_left", "aim_right", "fire",      "flush",      "pause",      "confirm",
+                                       "retry",    "quit",      "settings",  "fullscreen", "mute",       "spawn",
+                                       "clear",    "next_type", "more",      "fewer",      "slow_motion"};
 static_assert(std::size(kNames) == kActions);
 
 }  // namespace
@@ -50,6 +52,12 @@ Bindings::Bindings() {
   keys(Action::settings, {letter('O')});
   keys(Action::fullscreen, {letter('F'), kF11});
   keys(Action::mute, {letter('M')});
+  keys(Action::spawn, {letter('N')});
+  keys(Action::clear, {letter('C')});
+  keys(Action::nextType, {kTab});
+  keys(Action::more, {kEquals, kKeypadPlus});
+  keys(Action::fewer, {kMinus, kKeypadMinus});
+  keys(Action::slowMotion, {letter('T')});
   mouse(Action::fire, {1});
   mouse(Action::confirm, {1});
   mouse(Action::flush, {3});
@@ -64,6 +72,13 @@ Bindings::Bindings() {
   pad(Action::retry, {kPadX});
   pad(Action::quit, {kPadB, kPadBack});
   pad(Action::settings, {kPadY});
+  // The cross moves the ship, so practice takes what else only menus use.
+  pad(Action::spawn, {kPadY});
+  pad(Action::clear, {kPadBack});
+  pad(Action::nextType, {kPadX});
+  pad(Action::more, {kPadA});
+  pad(Action::fewer, {kPadB});
+  pad(Action::slowMotion, {kPadRightStick});
 }
 
 bool Bindings::has(Control control, Action action) const {

@@ -31,6 +31,13 @@ enum class Action : uint32_t {
   settings,
   fullscreen,
   mute,
+  // Pressed; in practice only.
+  spawn,
+  clear,
+  nextType,
+  more,
+  fewer,
+  slowMotion,
   count
 };
 inline constexpr uint32_t kActions = uint32_t(Action::count);
@@ -42,8 +49,9 @@ enum class InputDevice : uint32_t { keyboard, mouse, pad, count };
 inline constexpr uint32_t kInputDevices = uint32_t(InputDevice::count);
 
 // Pad buttons are SDL_GameControllerButton numbers; triggers count as buttons of their own.
-inline constexpr uint16_t kPadA = 0, kPadB = 1, kPadX = 2, kPadY = 3, kPadBack = 4, kPadStart = 6, kPadLeftShoulder = 9,
-                          kPadRightShoulder = 10, kPadUp = 11, kPadDown = 12, kPadLeft = 13, kPadRight = 14;
+inline constexpr uint16_t kPadA = 0, kPadB = 1, kPadX = 2, kPadY = 3, kPadBack = 4, kPadStart = 6, kPadLeftStick = 7,
+                          kPadRightStick = 8, kPadLeftShoulder = 9, kPadRightShoulder = 10, kPadUp = 11, kPadDown = 12,
+                          kPadLeft = 13, kPadRight = 14;
 inline constexpr uint16_t kPadLeftTrigger = 30, kPadRightTrigger = 31;
 inline constexpr uint32_t kPadButtons = 32;
 inline constexpr uint32_t kKeys = 512;         // SDL_NUM_SCANCODES

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace gw {
 
@@ -36,6 +37,7 @@ void KeyboardMouse::handle(const SDL_Event& event) {
       if (key >= keyDown_.size() || keyDown_[key] == uint8_t(down)) return;
       if (event.key.repeat != 0) return;  // of a key whose press went elsewhere
       keyDown_[key] = down;
+      if (down && key >= SDL_SCANCODE_1 && key <= SDL_SCANCODE_9) number_ = key - SDL_SCANCODE_1 + 1;
       change({InputDevice::keyboard, uint16_t(key)}, down);
       return;
     }
@@ -48,6 +50,7 @@ void KeyboardMouse::handle(const SDL_Event& event) {
       pointer_x_ = float(event.button.x);
       pointer_y_ = float(event.button.y);
       if (bindings_.has({InputDevice::mouse, uint16_t(button)}, Action::fire)) mouseAims_ = true;
+      clicked_ |= down && button == SDL_BUTTON_LEFT;
       change({InputDevice::mouse, uint16_t(button)}, down);
       return;
     }
@@ -55,6 +58,9 @@ void KeyboardMouse::handle(const SDL_Event& event) {
       pointer_x_ = float(event.motion.x);
       pointer_y_ = float(event.motion.y);
       mouseAims_ = true;
+      return;
+    case SDL_MOUSEWHEEL:
+      wheel_ += event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -event.wheel.y : event.wheel.y;
       return;
     case SDL_WINDOWEVENT:
       if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
@@ -95,6 +101,25 @@ bool KeyboardMouse::pressed(Action action) {
   if (count == 0) return false;
   --count;
   return true;
+}
+
+void KeyboardMouse::forgetPresses() {
+  pressedCount_.fill(0);
+  clicked_ = false;
+  number_ = 0;
+  wheel_ = 0;
+}
+
+uint32_t KeyboardMouse::number() {
+  return std::exchange(number_, 0);
+}
+
+int KeyboardMouse::wheel() {
+  return std::exchange(wheel_, 0);
+}
+
+bool KeyboardMouse::clicked() {
+  return std::exchange(clicked_, false);
 }
 
 void KeyboardMouse::beginPlay() {

@@ -38,7 +38,7 @@ class KeyboardMouse {
   // True once per press of the key (repeats do not count).
   bool pressed(Action action);
   // Forgets presses that nobody asked for, so that none acts on the next screen.
-  void forgetPresses() { pressedCount_.fill(0); }
+  void forgetPresses();
 
   // Forgets taps and the hold on flush: the space that starts a run does not flush in it.
   void beginPlay();
@@ -47,6 +47,13 @@ class KeyboardMouse {
   void releaseAll();
   // True once after the window lost the focus.
   bool lostFocus();
+
+  // Since the last call: the number key from 1 to 9 that was pressed last, or 0.
+  uint32_t number();
+  // Since the last call: steps of the wheel away from the player, less those towards him.
+  int wheel();
+  // Since the last call: whether the left button was pressed.
+  bool clicked();
 
   float pointer_x_px() const { return pointer_x_; }
   float pointer_y_px() const { return pointer_y_; }
@@ -71,7 +78,9 @@ class KeyboardMouse {
   uint64_t presses_ = 0;
   float pointer_x_ = 0, pointer_y_ = 0;
   bool mouseAims_ = false;
-  bool lostFocus_ = false;
+  bool lostFocus_ = false, clicked_ = false;
+  uint32_t number_ = 0;
+  int wheel_ = 0;
   uint16_t aim_ = 16384;  // up, until somebody aims
 };
 

@@ -37,6 +37,11 @@ class PlayerInput {
   // held move goes on.
   void beginPlay();
 
+  // Number keys, wheel and left button mean these whatever is bound to them; see keyboard_mouse.h.
+  uint32_t number() { return keys_.number(); }
+  int wheel() { return keys_.wheel(); }
+  bool clicked() { return keys_.clicked(); }
+
   // True once after the window lost the focus.
   bool lostFocus();
   // True once after the pad that was in use went away; everything is released then.

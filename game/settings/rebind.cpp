@@ -9,11 +9,11 @@ namespace gw {
 namespace {
 
 bool inPlay(Action action) {
-  return action <= Action::pause || action == Action::fullscreen || action == Action::mute;
+  return action <= Action::pause || action >= Action::fullscreen;
 }
 
 bool inMenus(Action action) {
-  return action >= Action::pause;
+  return action >= Action::pause && action <= Action::mute;
 }
 
 // Space may flush in play and start on the title; nobody can mean both at once.

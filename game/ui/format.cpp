@@ -22,6 +22,10 @@ std::string minutesSeconds(uint32_t ticks) {
   return text;
 }
 
+std::string minutesTenths(uint32_t ticks) {
+  return minutesSeconds(ticks) + "." + std::to_string(ticks % kTicksPerSecond * 10 / kTicksPerSecond);
+}
+
 std::string oneDecimal(double number) {
   char text[48];
   std::snprintf(text, sizeof text, "%.1f", number);

@@ -8,6 +8,7 @@ namespace gw {
 
 std::string withCommas(uint64_t number);        // 1234567 -> 1,234,567
 std::string minutesSeconds(uint32_t ticks);     // 4530 -> 1:15
+std::string minutesTenths(uint32_t ticks);      // 4530 -> 1:15.5
 std::string oneDecimal(double number);          // 58.34 -> 58.3
 std::string multiplierText(uint32_t tenths);    // 124 -> x12.4
 std::string upperCase(std::string text);        // ASCII

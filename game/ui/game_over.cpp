@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/ui/format.h"
+#include "game/ui/hud.h"
 #include "game/ui/shape_icon.h"
 #include "game/ui/theme.h"
 
@@ -13,13 +14,58 @@ namespace {
 
 using namespace theme;
 
-std::string causeText(const RunMonitor& run, const Rules& rules) {
-  const RunMonitor::Contact& contact = run.lastContact();
-  const std::string limit = oneDecimal(framesPerSecond(rules.budget.limit_us)) + " FPS";
-  if (contact.type >= rules.enemyTypeCount) return "the frame rate fell under " + limit;
+// "a hexagon cost 12.0 ms", in deadline "a hexagon cost 3.6 s".
+std::string contactText(const RunMonitor::Contact& contact, const Rules& rules, Mode mode) {
   const std::string name = rules.enemies[contact.type].name;
-  return std::string(name.find_first_of("aeiou") == 0 ? "an " : "a ") + name + " cost " +
-         oneDecimal(contact.cost_us / 1000.0) + " ms: under " + limit;
+  const std::string cost =
+      mode == Mode::deadline
+          ? oneDecimal(double(clockCost_ticks(contact.cost_us, rules.deadline)) / kTicksPerSecond) + " s"
+          : oneDecimal(contact.cost_us / 1000.0) + " ms";
+  return std::string(name.find_first_of("aeiou") == 0 ? "an " : "a ") + name + " cost " + cost;
+}
+
+struct Headline {
+  const char* text;
+  Rgba colour;
+  std::string cause;
+};
+
+Headline headline(const RunMonitor& run, const Rules& rules, const GameOverFrame& frame) {
+  const TickReport& report = run.last();
+  const RunMonitor::Contact& contact = run.lastContact();
+  const bool known = contact.type < rules.enemyTypeCount;
+  if (report.ending == Ending::cleared) {
+    return {"CLEARED", kGood, "all " + withCommas(frame.enemies) + " of them are processed"};
+  }
+  if (report.ending == Ending::timeUp) {
+    const bool atOnce = known && contact.tick == report.tick;
+    return {"TIME UP", kGold,
+            atOnce ? contactText(contact, rules, frame.mode) + ", the last of the clock" : "the clock ran out"};
+  }
+  const std::string limit = oneDecimal(framesPerSecond(rules.budget.limit_us)) + " FPS";
+  return {"FRAME DROPPED", kDanger,
+          known ? contactText(contact, rules, frame.mode) + ": under " + limit : "the frame rate fell under " + limit};
+}
+
+// The number that counts, and under it what it is. In swarm that is the time, or how far it came.
+void drawResult(Canvas& canvas, const TickReport& report, const GameOverFrame& frame) {
+  const float middle = canvas.width() / 2;
+  const bool swarm = frame.mode == Mode::swarm;
+  const bool best = frame.canRetry && beats(frame.mode, report, frame.best);
+  const std::string before = bestText(frame.mode, frame.best), kind = swarm ? "time" : "score";
+  const std::string value = !swarm                             ? withCommas(report.score)
+                            : report.ending == Ending::cleared ? minutesTenths(report.tick)
+                                                               : withCommas(report.enemies) + " left";
+  std::string under = kind;
+  if (best) {
+    under = before.empty() ? "first " + kind + " of this session" : "new best of this session";
+  } else if (!before.empty()) {
+    under = "best of this session " + before;
+  } else if (swarm && report.ending != Ending::cleared) {
+    under = "of " + withCommas(frame.enemies);
+  }
+  canvas.text(value, middle, 312, style(52, best ? kGold : kText, TextAlign::centre, 0.7f));
+  canvas.text(under, middle, 342, style(11, best ? kGold : kQuiet, TextAlign::centre, 0.2f));
 }
 
 // Kills by type as small columns of shape, number and name.
@@ -44,15 +90,10 @@ void drawGameOver(Canvas& canvas, const RunMonitor& run, const Rules& rules, con
   canvas.rectangle(0, 0, canvas.width(), Canvas::kHeight, faded(kShade, 0.8f * shown));
   canvas.nextLayer();
 
-  canvas.text("FRAME DROPPED", middle, 168, style(44, faded(kDanger, shown), TextAlign::centre, 0.8f));
-  canvas.text(causeText(run, rules), middle, 206, style(14, faded(kText, shown), TextAlign::centre, 0.2f));
-
-  const bool best = frame.canRetry && report.score > frame.best;
-  canvas.text(withCommas(report.score), middle, 312, style(52, best ? kGold : kText, TextAlign::centre, 0.7f));
-  const std::string under = best ? (frame.best == 0 ? "first score of this session" : "new best of this session")
-                            : frame.best > 0 ? "best of this session " + withCommas(frame.best)
-                                             : "score";
-  canvas.text(under, middle, 342, style(11, best ? kGold : kQuiet, TextAlign::centre, 0.2f));
+  const Headline head = headline(run, rules, frame);
+  canvas.text(head.text, middle, 168, style(44, faded(head.colour, shown), TextAlign::centre, 0.8f));
+  canvas.text(head.cause, middle, 206, style(14, faded(kText, shown), TextAlign::centre, 0.2f));
+  drawResult(canvas, report, frame);
 
   const auto figure = [&](float x, const std::string& value, const char* label) {
     canvas.text(value, x, 410, style(22, kText, TextAlign::centre, 0.35f));
@@ -61,7 +102,11 @@ void drawGameOver(Canvas& canvas, const RunMonitor& run, const Rules& rules, con
   figure(middle - 300, minutesSeconds(report.tick), "survived");
   figure(middle - 100, withCommas(report.kills), "processed");
   figure(middle + 100, multiplierText(report.multiplierTenths), "multiplier");
-  figure(middle + 300, std::to_string(report.wave), "wave");
+  if (frame.mode == Mode::swarm) {
+    figure(middle + 300, withCommas(report.score), "score");
+  } else {
+    figure(middle + 300, std::to_string(report.wave), "wave");
+  }
   drawKills(canvas, report, rules, 506);
 
   if (frame.canRetry) {

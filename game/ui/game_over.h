@@ -4,13 +4,16 @@
 #include "game/ui/canvas.h"
 #include "game/ui/key_hints.h"
 #include "game/ui/run_monitor.h"
+#include "game/ui/session_best.h"
 
 namespace gw {
 
 struct GameOverFrame {
   double time_s = 0;     // since it is shown
-  uint64_t best = 0;     // of this session before this run; 0: none
+  Best best{};           // of this session before this run
   bool canRetry = true;  // false: a replay's end
+  Mode mode = Mode::arcade;
+  uint32_t enemies = 0;  // that fit; swarm began with as many
   KeyHints keys{};
 };
 

@@ -66,13 +66,40 @@ void drawMeter(Canvas& canvas, const RunMonitor& run, const Rules& rules, double
               style(9, kQuiet, TextAlign::left, 0));
 }
 
-void drawContact(Canvas& canvas, const RunMonitor& run, const Rules& rules) {
+// Deadline: time is all there is, so its clock stands where the budget does elsewhere.
+void drawClock(Canvas& canvas, const TickReport& report, const Rules& rules, double realFps) {
+  constexpr uint32_t kLast_ticks = 10 * kTicksPerSecond;
+  constexpr float kWidth = 220, kTop = 58;
+  const bool last = report.clock_ticks <= kLast_ticks;
+  // The last seconds beat once a second.
+  const float beat =
+      last ? 1 - 0.45f * float(kTicksPerSecond - report.clock_ticks % kTicksPerSecond) / kTicksPerSecond : 1;
+  const Rgba colour = last ? kDanger : kAccent;
+  const float middle = canvas.width() / 2, whole = float(std::max(rules.deadline.clock_ticks, 1u));
+  const float share = std::min(float(report.clock_ticks) / whole, 1.0f);
+  canvas.text(minutesTenths(report.clock_ticks), middle, 50,
+              style(last ? 38.0f : 34.0f, faded(colour, beat), TextAlign::centre, last ? 0.8f : 0.5f));
+  canvas.rectangle(middle - kWidth / 2, kTop, kWidth, 4, faded(kShade, 0.75f));
+  canvas.gradient(middle - kWidth / 2, kTop, kWidth * share, 4, faded(colour, 0.45f), colour);
+  canvas.text("CLOCK", middle - kWidth / 2 - 16, kTop + 5, style(11, kQuiet, TextAlign::right, 0.2f));
+  if (realFps <= 0) return;
+  canvas.text("real " + std::to_string(int(std::lround(realFps))), middle + kWidth / 2 + 16, kTop + 5,
+              style(9, kQuiet, TextAlign::left, 0));
+}
+
+void drawContact(Canvas& canvas, const RunMonitor& run, const Rules& rules, Mode mode) {
   const float fresh = run.contactFreshness();
   if (fresh <= 0) return;
   const RunMonitor::Contact& contact = run.lastContact();
   const float shown = std::min(1.0f, fresh * 3);
   const std::string name =
       contact.type < rules.enemyTypeCount ? upperCase(rules.enemies[contact.type].name) : "CONTACT";
+  if (mode == Mode::deadline) {
+    const uint32_t lost_ticks = clockCost_ticks(contact.cost_us, rules.deadline);
+    canvas.text(name + "  -" + oneDecimal(double(lost_ticks) / kTicksPerSecond) + " s", canvas.width() / 2, 98,
+                style(19, faded(kDanger, shown), TextAlign::centre, 0.7f));
+    return;
+  }
   canvas.text(name + "  +" + oneDecimal(contact.cost_us / 1000.0) + " ms", canvas.width() / 2, 88,
               style(19, faded(kDanger, shown), TextAlign::centre, 0.7f));
   canvas.text(
@@ -80,26 +107,31 @@ void drawContact(Canvas& canvas, const RunMonitor& run, const Rules& rules) {
       canvas.width() / 2, 112, style(11, faded(kText, shown * 0.9f), TextAlign::centre, 0.2f));
 }
 
-void drawScore(Canvas& canvas, const TickReport& report, uint64_t best) {
+void drawScore(Canvas& canvas, const TickReport& report, const std::string& best) {
   const std::string score = withCommas(report.score);
   const float room = (canvas.width() - meterWidth(canvas)) / 2 - 16 - canvas.textWidth("BUDGET", 11) - 20 - kMargin;
   const float size = std::min(26.0f, 26 * room / std::max(canvas.textWidth(score, 26), 1.0f));
   canvas.text(score, kMargin, 52, style(size, kText, TextAlign::left, 0.45f));
   canvas.text(multiplierText(report.multiplierTenths), kMargin, 82, style(16, kGold, TextAlign::left, 0.4f));
-  if (best > 0) {
-    canvas.text("best " + withCommas(std::max(best, report.score)), kMargin, 104, style(9, kQuiet, TextAlign::left, 0));
-  }
+  if (!best.empty()) canvas.text("best " + best, kMargin, 104, style(9, kQuiet, TextAlign::left, 0));
 }
 
-void drawCounts(Canvas& canvas, const RunMonitor& run) {
+void drawCounts(Canvas& canvas, const RunMonitor& run, const HudFrame& frame) {
   const TickReport& report = run.last();
   const float right = canvas.width() - kMargin;
   const auto row = [&](float baseline, const std::string& value, const char* label, float size, Rgba colour) {
     canvas.text(value, right, baseline, style(size, colour, TextAlign::right, 0.35f));
     canvas.text(label, right - canvas.textWidth(value, size) - 12, baseline, style(9, kQuiet, TextAlign::right, 0));
   };
+  if (frame.mode == Mode::swarm) {  // the time is the score, and what is left is all that matters
+    row(46, minutesTenths(report.tick), "TIME", 20, kText);
+    row(76, withCommas(report.enemies), "LEFT", 18, kGold);
+    canvas.text("of " + withCommas(frame.enemies), right, 94, style(9, kQuiet, TextAlign::right, 0));
+    row(116, withCommas(run.dataPerSecond()) + "/s", "DATA", 12, kGood);
+    return;
+  }
   row(46, minutesSeconds(report.tick), "TIME", 16, kText);
-  row(70, std::to_string(report.wave), "WAVE", 12, kText);
+  row(70, std::to_string(report.wave), frame.mode == Mode::practice ? "ASKED" : "WAVE", 12, kText);
   row(92, withCommas(report.enemies), "ENEMIES", 12, kText);
   row(114, withCommas(run.dataPerSecond()) + "/s", "DATA", 12, kGood);
 }
@@ -131,12 +163,20 @@ float budgetLeft(uint32_t frameTime_us, const Rules::Budget& budget) {
   return std::clamp((float(budget.limit_us) - float(frameTime_us)) / span, 0.0f, 1.0f);
 }
 
+uint32_t clockCost_ticks(uint32_t contact_us, const Rules::Deadline& deadline) {
+  return contact_us * deadline.contactTicks_per_ms / 1000;
+}
+
 void drawHud(Canvas& canvas, const RunMonitor& run, const Rules& rules, const HudFrame& frame) {
   drawBackdrop(canvas);
   drawScore(canvas, run.last(), frame.best);
-  drawMeter(canvas, run, rules, frame.realFps);
-  drawContact(canvas, run, rules);
-  drawCounts(canvas, run);
+  if (frame.mode == Mode::deadline) {
+    drawClock(canvas, run.last(), rules, frame.realFps);
+  } else {
+    drawMeter(canvas, run, rules, frame.realFps);
+  }
+  drawContact(canvas, run, rules, frame.mode);
+  drawCounts(canvas, run, frame);
   drawFlushes(canvas, run.last(), rules);
   const float bottom = Canvas::kHeight - kMargin;
   if (!frame.banner.empty()) {

@@ -65,6 +65,11 @@ KeyHints keyHints(const Bindings& given, bool pad) {
   hints.retry = key(Action::retry, "-");
   hints.quit = key(Action::quit, "-");
   hints.settings = key(Action::settings, "-");
+  hints.spawn = key(Action::spawn, "-");
+  hints.clear = key(Action::clear, "-");
+  hints.more = key(Action::more, "-");
+  hints.fewer = key(Action::fewer, "-");
+  hints.slowMotion = key(Action::slowMotion, "-");
   hints.fullscreen = first(bindings, InputDevice::keyboard, Action::fullscreen, "-");
   return hints;
 }

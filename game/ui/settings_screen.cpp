@@ -14,6 +14,7 @@ namespace {
 using namespace theme;
 
 constexpr float kTop = 164, kRow = 26;
+constexpr float kBindingRow = 20;  // there are more of them
 constexpr float kSize = 12;
 // Of both columns, from the middle of the window: 4:3 windows have 480 on each side.
 constexpr float kLeft = -464, kValues = -110, kRight = -60, kKeys = 84, kPad = 330, kEnd = 464;
@@ -67,7 +68,7 @@ void drawBindings(Canvas& canvas, const SettingsMenu& menu, const SettingsFrame&
   canvas.text("KEYS AND MOUSE", middle + kKeys, kTop - kRow, style(9, kQuiet, TextAlign::left, 0));
   canvas.text("PAD", middle + kPad, kTop - kRow, style(9, kQuiet, TextAlign::left, 0));
   float y = kTop;
-  for (uint32_t i = 0; i < kActions; ++i, y += kRow) {
+  for (uint32_t i = 0; i < kActions; ++i, y += kBindingRow) {
     const Action action = Action(i);
     const bool chosen = menu.row() == SettingsMenu::firstAction() + i;
     if (chosen) drawChoice(canvas, middle + kRight, kEnd - kRight, y);

@@ -52,16 +52,18 @@ void drawTitle(Canvas& canvas, const TitleFrame& frame) {
   canvas.text("process everything. keep the frame rate alive.", middle, 360,
               style(14, kText, TextAlign::centre, 0.25f));
 
+  drawModeChoice(canvas, frame.mode, 418);
+
   const float pulse = 0.65f + 0.35f * float(std::sin(t * 3.2));
-  canvas.text("PRESS " + frame.keys.confirm, middle, 470, style(22, faded(kGold, pulse), TextAlign::centre, 0.6f));
-  canvas.text(frame.keys.confirmToo, middle, 496, style(10, kQuiet, TextAlign::centre, 0));
-  if (frame.best > 0) {
-    canvas.text("best " + withCommas(frame.best), middle, 540, style(14, kText, TextAlign::centre, 0.3f));
+  canvas.text("PRESS " + frame.keys.confirm, middle, 508, style(22, faded(kGold, pulse), TextAlign::centre, 0.6f));
+  canvas.text(frame.keys.confirmToo, middle, 534, style(10, kQuiet, TextAlign::centre, 0));
+  if (!frame.best.empty()) {
+    canvas.text("best " + frame.best, middle, 574, style(14, kText, TextAlign::centre, 0.3f));
   }
 
   drawControls(canvas, frame.keys, Canvas::kHeight - 76);
-  canvas.text(frame.mode + ", up to " + withCommas(frame.enemies) + " enemies on " + frame.device, middle,
-              Canvas::kHeight - 36, style(9, kQuiet, TextAlign::centre, 0));
+  canvas.text("up to " + withCommas(frame.enemies) + " enemies on " + frame.device, middle, Canvas::kHeight - 36,
+              style(9, kQuiet, TextAlign::centre, 0));
 }
 
 }  // namespace gw
