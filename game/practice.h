@@ -2,6 +2,7 @@
 // record's bits a tick come out, so that whatever was asked for stands in the replay.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 

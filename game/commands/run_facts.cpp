@@ -48,6 +48,7 @@ void factsToJson(nlohmann::ordered_json& json, const RunFacts& facts, const Simu
   json["contacts"] = last.contacts;
   json["bitsTaken"] = last.bitsTaken;
   json["peakEnemies"] = last.peakEnemies;
+  json["enemiesLeft"] = last.enemies;
   json["refused"] = last.refused;
   for (uint32_t t = 0; t < rules.enemyTypeCount; ++t) json["killsByType"][rules.enemies[t].name] = last.killsByType[t];
   for (uint32_t m = 0; m < kMachines; ++m) {

@@ -153,9 +153,6 @@ struct Refusal {
 
 const Refusal kRefusals[] = {
     // Later versions' business, by name.
-    {"--mode deadline", "'--mode deadline' is not in this version yet; choose arcade"},
-    {"--mode swarm", "'--mode swarm' is not in this version yet; choose arcade"},
-    {"--mode practice", "'--mode practice' is not in this version yet; choose arcade"},
     {"--sort full", "'--sort full' is not in this version yet; choose bitonic|odd-even"},
     {"--sort frozen", "'--sort frozen' is not in this version yet; choose bitonic|odd-even"},
     {"--broad-phase grid", "'--broad-phase grid' is not in this version yet; choose ngrid|brute"},
@@ -164,7 +161,7 @@ const Refusal kRefusals[] = {
     {"profile --help", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
     {"render a.gwr --out b", "'gpuwars render' is not in this version yet; see 'gpuwars --help' for what is"},
     // Values.
-    {"--mode chess", "'--mode chess' is not known; choose arcade"},
+    {"--mode chess", "'--mode chess' is not known; choose arcade|deadline|swarm|practice"},
     {"--device gpu", "'--device gpu' is not known; choose auto|cuda|cpu"},
     {"--broad-phase tree", "'--broad-phase tree' is not known; choose ngrid|brute"},
     {"--autopilot pro", "'--autopilot pro' is not known; choose novice|expert"},
@@ -262,12 +259,24 @@ TEST_P(CommandLineRefusal, IsOneSentenceAndExitCodeTwo) {
 
 INSTANTIATE_TEST_SUITE_P(Each, CommandLineRefusal, ::testing::ValuesIn(kRefusals));
 
+TEST(CommandLine, KnowsTheModesByName) {
+  const std::pair<const char*, Mode> modes[] = {
+      {"arcade", Mode::arcade}, {"deadline", Mode::deadline}, {"swarm", Mode::swarm}, {"practice", Mode::practice}};
+  for (const auto& [name, mode] : modes) {
+    const ParsedCommandLine parsed = parseCommandLine({"--mode", name});
+    EXPECT_TRUE(parsed.run) << parsed.error;
+    EXPECT_EQ(parsed.options.mode, mode) << name;
+  }
+  EXPECT_FALSE(parseCommandLine({"verify", "a", "--mode", "swarm"}).run) << "a replay knows its own";
+}
+
 TEST(CommandLine, EmptyAndOddArgumentsAreRefused) {
   EXPECT_EQ(parseCommandLine({""}).code, ExitCode::badUsage);
   EXPECT_EQ(parseCommandLine({"verify", ""}).error, "a file name is empty; give the file's name");
   EXPECT_EQ(parseCommandLine({"--record", ""}).error, "'--record' has an empty name; give it a file name");
-  EXPECT_EQ(parseCommandLine({"--mode", "a\nb"}).error, "'--mode a?b' is not known; choose arcade");
-  EXPECT_EQ(parseCommandLine({"--mode", ""}).error, "'--mode ' is not known; choose arcade");
+  EXPECT_EQ(parseCommandLine({"--mode", "a\nb"}).error,
+            "'--mode a?b' is not known; choose arcade|deadline|swarm|practice");
+  EXPECT_EQ(parseCommandLine({"--mode", ""}).error, "'--mode ' is not known; choose arcade|deadline|swarm|practice");
 }
 
 // Nothing that a user can type may throw or crash.

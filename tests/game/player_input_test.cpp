@@ -231,5 +231,45 @@ TEST_F(PlayerInputTest, AHeldCrossOrStickRepeats) {
   EXPECT_EQ(input.menu(40).up, 0);
 }
 
+TEST_F(PlayerInputTest, NumberKeysWheelAndClicksAreToldOnce) {
+  key(SDL_SCANCODE_1, true);
+  key(SDL_SCANCODE_7, true);
+  EXPECT_EQ(input.number(), 7u) << "the last one";
+  EXPECT_EQ(input.number(), 0u);
+  key(SDL_SCANCODE_7, false);
+  EXPECT_EQ(input.number(), 0u) << "letting go is no press";
+  key(SDL_SCANCODE_0, true);
+  EXPECT_EQ(input.number(), 0u);
+
+  SDL_Event wheel{};
+  wheel.type = SDL_MOUSEWHEEL;
+  for (const int y : {3, -1}) {
+    wheel.wheel.y = y;
+    input.handle(wheel);
+  }
+  EXPECT_EQ(input.wheel(), 2);
+  EXPECT_EQ(input.wheel(), 0);
+  wheel.wheel.direction = SDL_MOUSEWHEEL_FLIPPED;
+  wheel.wheel.y = 1;
+  input.handle(wheel);
+  EXPECT_EQ(input.wheel(), -1);
+
+  SDL_Event click{};
+  click.type = SDL_MOUSEBUTTONDOWN;
+  click.button.button = SDL_BUTTON_RIGHT;
+  input.handle(click);
+  EXPECT_FALSE(input.clicked());
+  click.button.button = SDL_BUTTON_LEFT;
+  input.handle(click);
+  EXPECT_TRUE(input.clicked());
+  EXPECT_FALSE(input.clicked());
+
+  key(SDL_SCANCODE_2, true);
+  input.handle(wheel);
+  input.forgetPresses();
+  EXPECT_EQ(input.number(), 0u);
+  EXPECT_EQ(input.wheel(), 0);
+}
+
 }  // namespace
 }  // namespace gw

@@ -14,6 +14,16 @@ constexpr Control key(uint16_t code) {
   return {InputDevice::keyboard, code};
 }
 
+TEST(Rebind, PracticeSharesKeysWithMenusButNotWithPlay) {
+  Bindings bindings;
+  EXPECT_TRUE(bindings.has({InputDevice::pad, kPadY}, Action::spawn) &&
+              bindings.has({InputDevice::pad, kPadY}, Action::settings));
+  EXPECT_EQ(rebind(bindings, Action::spawn, key(kKeyR), false), "") << "R starts again in menus only";
+  EXPECT_TRUE(bindings.has(key(kKeyR), Action::retry));
+  EXPECT_NE(rebind(bindings, Action::clear, key(kKeySpace), false), "") << "space flushes, in practice too";
+  EXPECT_FALSE(bindings.has(key(kKeySpace), Action::flush));
+}
+
 TEST(Rebind, ReplacesOrAdds) {
   Bindings bindings;
   EXPECT_EQ(rebind(bindings, Action::moveUp, key(kKeyE), false), "");

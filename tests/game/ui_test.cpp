@@ -47,6 +47,8 @@ TEST(UiFormatTest, NumbersAsPeopleReadThem) {
   EXPECT_EQ(minutesSeconds(0), "0:00");
   EXPECT_EQ(minutesSeconds(59), "0:00");
   EXPECT_EQ(minutesSeconds(75 * 60), "1:15");
+  EXPECT_EQ(minutesTenths(75 * 60 + 59), "1:15.9");
+  EXPECT_EQ(minutesTenths(5), "0:00.0");
   EXPECT_EQ(multiplierText(10), "x1.0");
   EXPECT_EQ(multiplierText(12345), "x1,234.5");
   EXPECT_EQ(oneDecimal(framesPerSecond(16667)), "60.0");
@@ -151,17 +153,17 @@ TEST(UiScreensTest, GameOverSaysHowItEndedAndHowToGoOn) {
   report.over = 1;
   run.add(report);
   RememberingCanvas canvas, replay;
-  drawGameOver(canvas, run, someRules(), {2, 5000, true});
+  drawGameOver(canvas, run, someRules(), {2, {5000}, true});
   for (const char* text : {"4,321", "1:23", "87", "x3.5", "a hexagon cost 12.0 ms", "R / ENTER: again", "5,000"}) {
     EXPECT_TRUE(canvas.says(text)) << text;
   }
-  drawGameOver(replay, run, someRules(), {2, 0, false});
+  drawGameOver(replay, run, someRules(), {2, {}, false});
   EXPECT_FALSE(replay.says("again"));
 }
 
 TEST(UiScreensTest, TitleAndPauseNameTheKeys) {
   RememberingCanvas title, pause;
-  drawTitle(title, {2, "cpu, 2 threads", 8192, "arcade", 0});
+  drawTitle(title, {2, "cpu, 2 threads", 8192, Mode::arcade, ""});
   for (const char* text : {"GPUWARS", "PRESS ENTER", "WASD", "SPACE", "ESC", "cpu, 2 threads"}) {
     EXPECT_TRUE(title.says(text)) << text;
   }
