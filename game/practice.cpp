@@ -1,8 +1,20 @@
 #include "game/practice.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace gw {
+
+namespace {
+constexpr uint32_t kCounts = uint32_t(std::size(kPracticeCounts));
+}
+
+std::optional<PracticeRequest> requestIn(const InputRecord& record, uint32_t typeCount) {
+  const uint32_t type = record.buttons >> kSpawnTypeShift & kSpawnTypeMask;
+  const uint32_t number = record.buttons >> kSpawnCountShift & kSpawnCountMask;
+  if (!(record.buttons & kButtonSpawn) || type >= typeCount || number >= kCounts) return std::nullopt;
+  return PracticeRequest{type, kPracticeCounts[number]};
+}
 
 void Practice::press(const PracticePresses& presses) {
   if (presses.number > 0 && presses.number <= typeCount_) type_ = presses.number - 1;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "game/input/input_record.h"
 
@@ -16,9 +17,15 @@ struct PracticePresses {
   int spawn = 0, clear = 0, slowMotion = 0;  // how often
 };
 
+// What one record asks for; none when that is nothing, or what there is not. A held button asks again in every record:
+// only its press counts in the game.
+struct PracticeRequest {
+  uint32_t type, count;
+};
+std::optional<PracticeRequest> requestIn(const InputRecord& record, uint32_t typeCount);
+
 class Practice {
  public:
-  static constexpr uint32_t kCounts = sizeof kPracticeCounts / sizeof kPracticeCounts[0];
   static constexpr double kSlow = 0.25;      // times real time
   static constexpr size_t kMostWaiting = 8;  // requests; a hammered key must not go on for seconds
 

@@ -4,17 +4,16 @@
 #include <optional>
 
 #include "game/commands/commands.h"
+#include "game/commands/played_practice.h"
 #include "game/commands/player_settings.h"
 #include "game/commands/run_factory.h"
 #include "game/game_loop.h"
-#include "game/practice.h"
 #include "game/settings/settings_menu.h"
 #include "game/ui/format.h"
 #include "game/ui/game_over.h"
 #include "game/ui/hud.h"
 #include "game/ui/mode_choice.h"
 #include "game/ui/pause.h"
-#include "game/ui/practice_panel.h"
 #include "game/ui/screen_flow.h"
 #include "game/ui/session_best.h"
 #include "game/ui/settings_screen.h"
@@ -83,7 +82,7 @@ class PlaySession {
     }
     if (screen_ != before) changeScreen(before);
     if (before == Screen::play && screen_ == Screen::over) keepBest();
-    if (practising()) practise();
+    if (practising()) practice_->step(screen_, loop_, *run_);
     loop_.showCursor(screen_ != Screen::play);
     loop_.updateSound(sceneOf(screen_));
 
@@ -116,8 +115,7 @@ class PlaySession {
     input.quit = keys.pressed(Action::quit);
     input.settings = keys.pressed(Action::settings);
     if (screen_ == Screen::title) chooseMode(menu);
-    if (practising()) presses_ = practicePresses();
-    if (looking && keys.clicked()) inspect();
+    if (practising()) practice_->take(keys);
     keys.forgetPresses();
     input.lostFocus = keys.lostFocus();
     input.lostPad = keys.lostPad();
@@ -139,36 +137,6 @@ class PlaySession {
 
   // A player who practises; a bot asks for its own.
   bool practising() const { return practice_ && !attract_ && options_.autopilot == Autopilot::none; }
-
-  PracticePresses practicePresses() {
-    PlayerInput& keys = loop_.input();
-    const auto count = [&](Action action) {
-      int times = 0;
-      while (keys.pressed(action)) ++times;
-      return times;
-    };
-    PracticePresses presses;
-    presses.number = keys.number();
-    presses.nextType = count(Action::nextType);
-    presses.more = count(Action::more) - count(Action::fewer) + keys.wheel();
-    presses.spawn = count(Action::spawn);
-    presses.clear = count(Action::clear);
-    presses.slowMotion = count(Action::slowMotion);
-    return presses;
-  }
-
-  // After the flow of this frame: presses count where play goes on.
-  void practise() {
-    if (screen_ == Screen::play) practice_->press(presses_);
-    loop_.pacer().setSpeed(practice_->speed());
-    if (screen_ != Screen::pause) inspected_.reset();
-  }
-
-  void inspect() {
-    constexpr float kReach_m = 3;
-    const WorldPoint place = loop_.underPointer();
-    inspected_ = run_->simulation().inspect(place.x, place.y, kReach_m);
-  }
 
   // A frame of the settings screen. True when the player is done there.
   bool changeSettings(const MenuPresses& presses) {
@@ -224,28 +192,15 @@ class PlaySession {
         neighboursText(options_.gather.value_or(Gather::exact), options_.sort.value_or(Sort::bitonic));
     if (!neighbours.empty()) hud.banner += (hud.banner.empty() ? "" : "  ") + neighbours;
     drawHud(canvas, run_->monitor(), rules, hud);
-    if (practising()) {
-      drawPracticePanel(canvas, rules,
-                        {practice_->type(), kPracticeCounts[practice_->number()], practice_->slow(), true, hints});
-    }
+    if (practising()) practice_->drawPanel(canvas, rules, hints);
     if (screen_ == Screen::play && options_.autopilot == Autopilot::none) loop_.drawCrosshair(canvas);
     if (screen_ == Screen::pause) {
-      practising() ? drawPracticePause(canvas, rules, hints, padGone_, inspected())
+      practising() ? practice_->drawPause(canvas, rules, hints, padGone_, loop_)
                    : drawPause(canvas, rules, {false, padGone_, hints});
     }
     if (screen_ == Screen::over) {
       drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true, mode_, options_.enemies, hints});
     }
-  }
-
-  // What was clicked on, where it is drawn: between its last two places.
-  std::optional<Inspected> inspected() const {
-    if (!inspected_) return std::nullopt;
-    const EntityRecord& e = *inspected_;
-    const float alpha = loop_.pacer().alpha();
-    const CanvasPoint at =
-        loop_.onCanvas({e.previous_x + (e.x - e.previous_x) * alpha, e.previous_y + (e.y - e.previous_y) * alpha});
-    return Inspected{e, at.x, at.y};
   }
 
   void startRun() {
@@ -255,7 +210,6 @@ class PlaySession {
     attract_ = false;
     practice_.reset();
     if (mode_ == Mode::practice) practice_.emplace(factory_.rules().enemyTypeCount);
-    inspected_.reset();
     loop_.input().forgetPresses();
     loop_.startAfresh(*run_);
   }
@@ -300,9 +254,7 @@ class PlaySession {
   Mode mode_;  // chosen on the title, and of the run
   SessionBest best_;
   Best bestBefore_;
-  std::optional<Practice> practice_;       // while the run is one
-  PracticePresses presses_;                // of this frame
-  std::optional<EntityRecord> inspected_;  // in the pause of practice
+  std::optional<PlayedPractice> practice_;  // while the run is one
 };
 
 }  // namespace

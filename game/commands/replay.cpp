@@ -9,11 +9,13 @@
 #include "game/commands/player_settings.h"
 #include "game/device_choice.h"
 #include "game/game_loop.h"
+#include "game/practice.h"
 #include "game/replay/replay_reader.h"
 #include "game/ui/format.h"
 #include "game/ui/game_over.h"
 #include "game/ui/hud.h"
 #include "game/ui/pause.h"
+#include "game/ui/practice_panel.h"
 #include "game/user_error.h"
 
 namespace gw {
@@ -72,6 +74,7 @@ class ReplaySession {
 
   void tick() {
     const uint32_t next = run_->last().tick;
+    if (const auto request = requestIn(replay_.inputs[next], config_.rules.enemyTypeCount)) asked_ = *request;
     run_->tick(replay_.inputs[next]);
     if (!differs_ && run_->last().hash != replay_.hashes[next]) differs_ = next + 1;
   }
@@ -87,6 +90,9 @@ class ReplaySession {
     if (!neighbours.empty()) hud.banner += "  " + neighbours;
     if (differs_) hud.banner += "  DIFFERS FROM TICK " + std::to_string(*differs_);
     drawHud(canvas, run_->monitor(), config_.rules, hud);
+    if (config_.mode == Mode::practice && asked_) {
+      drawPracticePanel(canvas, config_.rules, {.type = asked_->type, .count = asked_->count, .keysShown = false});
+    }
     const KeyHints hints = keyHints(settings_.bindings, loop_.input().padInUse());
     if (ended()) {
       endedSince_s_ = endedSince_s_ == 0 ? loop_.now_s() : endedSince_s_;
@@ -107,6 +113,7 @@ class ReplaySession {
   GameLoop loop_;
   std::optional<Run> run_;
   std::optional<uint32_t> differs_;
+  std::optional<PracticeRequest> asked_;  // last, in practice
   double endedSince_s_ = 0;
 };
 

@@ -28,7 +28,7 @@ RunFactory::RunFactory(const Options& options)
   config_.enemies = options.enemies;
   setComputing(config_, options);
   config_.particles = !options.headless || !options.screenshotPath.empty();  // somebody looks
-  if (!options.recordPath.empty()) checkWritable(options.recordPath);  // before anybody has played for it
+  if (!options.recordPath.empty()) checkWritable(options.recordPath);        // before anybody has played for it
 }
 
 std::unique_ptr<Run> RunFactory::make(Mode mode, uint64_t seed, Autopilot autopilot, bool recorded) {

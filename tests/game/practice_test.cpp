@@ -80,6 +80,19 @@ TEST(PracticeTest, ChoicesStayWithinTheTables) {
   EXPECT_EQ(kPracticeCounts[practice.number()], 1u);
 }
 
+TEST(PracticeTest, ARecordThatAsksForWhatThereIsNotAsksForNothing) {
+  Practice practice(7);
+  practice.press({.number = 6, .more = -1, .spawn = 1});
+  const InputRecord asks{0, 0, 0, practice.takeButtons()};
+  ASSERT_TRUE(requestIn(asks, 7));
+  EXPECT_EQ(requestIn(asks, 7)->type, 5u);
+  EXPECT_EQ(requestIn(asks, 7)->count, 5u);
+  EXPECT_FALSE(requestIn(asks, 5)) << "no such type";
+  EXPECT_FALSE(requestIn({0, 0, 0, uint16_t(asks.buttons & ~kButtonSpawn)}, 7));
+  EXPECT_FALSE(requestIn({0, 0, 0, kButtonSpawn | 15 << kSpawnCountShift}, 7)) << "no such count";
+  EXPECT_FALSE(requestIn({0, 0, 0, kButtonSpawn | 7 << kSpawnTypeShift}, 7));
+}
+
 TEST(PracticeTest, SlowMotionSwitches) {
   Practice practice(7);
   EXPECT_EQ(practice.speed(), 1);
