@@ -125,9 +125,8 @@ void drawCounts(Canvas& canvas, const RunMonitor& run, const HudFrame& frame) {
   };
   if (frame.mode == Mode::swarm) {  // the time is the score, and what is left is all that matters
     row(46, minutesTenths(report.tick), "TIME", 20, kText);
-    row(76, withCommas(report.enemies), "LEFT", 18, kGold);
-    canvas.text("of " + withCommas(frame.enemies), right, 94, style(9, kQuiet, TextAlign::right, 0));
-    row(116, withCommas(run.dataPerSecond()) + "/s", "DATA", 12, kGood);
+    row(76, withCommas(report.enemies), ("LEFT OF " + withCommas(frame.enemies)).c_str(), 18, kGold);
+    row(100, withCommas(run.dataPerSecond()) + "/s", "DATA", 12, kGood);
     return;
   }
   row(46, minutesSeconds(report.tick), "TIME", 16, kText);

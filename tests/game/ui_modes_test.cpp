@@ -128,7 +128,7 @@ TEST(ModeHudTest, SwarmShowsWhatIsLeftAndTheTime) {
   frame.best = "3:12.4";
   RememberingCanvas canvas;
   drawHud(canvas, after(report), someRules(), frame);
-  for (const char* text : {"1,204", "LEFT", "of 20,000", "1:15.5", "BUDGET", "best 3:12.4"}) {
+  for (const char* text : {"1,204", "LEFT OF 20,000", "1:15.5", "BUDGET", "best 3:12.4"}) {
     EXPECT_TRUE(canvas.says(text)) << text;
   }
   EXPECT_FALSE(canvas.says("WAVE"));
