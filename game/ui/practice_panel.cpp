@@ -17,7 +17,7 @@ using namespace theme;
 constexpr float kWidth = 216, kRow = 22, kPadding = 14;
 
 void drawFrame(Canvas& canvas, float left, float top, float width, float height) {
-  canvas.rectangle(left, top, width, height, faded(kShade, 0.72f));
+  canvas.rectangle(left, top, width, height, faded(kShade, 0.82f));
   canvas.outline(left, top, width, height, 1, faded(kAccent, 0.35f));
 }
 
@@ -118,14 +118,14 @@ void drawPracticePause(Canvas& canvas, const Rules& rules, const KeyHints& keys,
   const float middle = canvas.width() / 2;
   canvas.nextLayer();
   if (inspected) drawInspected(canvas, rules, *inspected);
-  canvas.rectangle(middle - 330, 100, 660, 96, faded(kShade, 0.72f));
-  canvas.text("PAUSED", middle, 140, style(30, kAccent, TextAlign::centre, 0.8f));
+  canvas.rectangle(middle - 330, 122, 660, 100, faded(kShade, 0.82f));
+  canvas.text("PAUSED", middle, 162, style(30, kAccent, TextAlign::centre, 0.8f));
   canvas.text(lostPad ? "the controller is gone: connect it, or press ESC to go on with the keyboard"
                       : "click on an enemy to see what it is up to",
-              middle, 160, style(11, lostPad ? kDanger : kText, TextAlign::centre, 0.2f));
+              middle, 184, style(11, lostPad ? kDanger : kText, TextAlign::centre, 0.2f));
   canvas.text(keys.pause + ": resume     " + keys.retry + ": start again     " + keys.settings + ": settings     " +
                   keys.quit + ": title",
-              middle, 184, style(10, kGold, TextAlign::centre, 0.1f));
+              middle, 208, style(10, kGold, TextAlign::centre, 0.1f));
 }
 
 }  // namespace gw
