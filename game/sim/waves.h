@@ -113,8 +113,10 @@ struct Waves {
     }
   }
 
+  // Signed, because g++ turns a run of unsigned numbers into floats by way of an FMA (exact, but gate_vfmadd
+  // cannot tell).
   GW_MEMBER float weightOf(uint32_t type) const {
-    return float(tables.rules.endless.chance_percent[type]) / tables.rules.endless.price[type];
+    return float(int32_t(tables.rules.endless.chance_percent[type])) / tables.rules.endless.price[type];
   }
 
   // Each request takes the next pattern, so that all of them can be practised.
