@@ -122,7 +122,8 @@ int main(int argc, char** argv) {
         << " ticks, processor time; `gw_bench_gather`. A gather is one pass of every enemy over its vision.\n\n"
         << "| scene | gather, sort | recall | found per enemy | candidates per enemy | tick / exact | gather / exact "
            "| ms per tick | ms per gather |\n|---|---|---|---|---|---|---|---|---|\n";
-  for (const bool swarm : {false, true}) addRows(table, configFor(enemies, threads, swarm), swarm, rounds);
+  for (const bool swarm : {false, true})
+    addRows(table, configFor(enemies, threads, swarm ? Scene::swarm : Scene::uniform), swarm, rounds);
   std::fputs(table.str().c_str(), stdout);
   if (!out.empty() && !(std::ofstream(out) << table.str())) {
     std::fprintf(stderr, "Could not write %s; name a folder that exists and can be written.\n", out.c_str());

@@ -5,28 +5,52 @@
 #include <random>
 
 #include "game/sim/master.h"
+#include "game/sim/state_tables.h"
 #include "game/tables/tables.h"
 
 namespace gw::bench {
 
 namespace {
-constexpr uint32_t kSwarmTicks = 1200;
-}
+constexpr uint32_t kSwarmTicks = 1200, kMixedTicks = 300;
 
-SimulationConfig configFor(uint32_t enemies, uint32_t threads, bool swarm) {
+void makeUntouchable(Snapshot& scene) {
+  Master master;
+  std::memcpy(&master, scene.master.data(), sizeof master);
+  master.ship.untouchable_ticks = 1u << 30;
+  std::memcpy(scene.master.data(), &master, sizeof master);
+}
+}  // namespace
+
+SimulationConfig configFor(uint32_t enemies, uint32_t threads, Scene scene) {
   SimulationConfig config;
   config.rules = loadRules(readRuleTexts(GW_ASSETS_DIR));
   config.enemies = enemies;
   config.threads = threads;
+  const bool mixed = scene == Scene::mixed || scene == Scene::horde;
+  if (mixed) config.mode = Mode::swarm;  // brings them all in its first tick, and nobody after
   Rules& rules = config.rules;
   rules.waveCount = 0;
   rules.endless.from_ticks = ~0u;
   rules.idle.fewerThan = 0;
   for (uint32_t t = 0; t < rules.enemyTypeCount; ++t) {
-    rules.enemies[t].sight_m = t == 0 || swarm ? 1.0e6f : 0.0f;
+    if (scene == Scene::uniform) rules.enemies[t].sight_m = t == 0 ? 1.0e6f : 0.0f;
+    if (scene == Scene::swarm || scene == Scene::horde) rules.enemies[t].sight_m = 1.0e6f;
     rules.enemies[t].contact_us = 0;
   }
   return config;
+}
+
+Snapshot sceneOf(Scene scene, Simulation& sim, const SimulationConfig& config) {
+  switch (scene) {
+    case Scene::uniform:
+      return uniformScene(sim, config);
+    case Scene::swarm:
+      return swarmScene(sim, config);
+    case Scene::mixed:
+      return mixedScene(sim, kMixedTicks);
+    default:
+      return mixedScene(sim, kSwarmTicks);
+  }
 }
 
 Snapshot uniformScene(Simulation& sim, const SimulationConfig& config) {
@@ -35,8 +59,12 @@ Snapshot uniformScene(Simulation& sim, const SimulationConfig& config) {
   Master master;
   std::memcpy(&master, scene.master.data(), sizeof master);
   master.tick = 1000;
-  master.ship.untouchable_ticks = 1u << 30;
   std::memcpy(scene.master.data(), &master, sizeof master);
+  makeUntouchable(scene);
+  uint32_t kamikazes = 0;  // they stand first in the table
+  while (kamikazes < config.rules.enemyTypeCount && config.rules.enemies[kamikazes].machine == Machine::kamikaze) {
+    ++kamikazes;
+  }
 
   const double area = config.enemies / 0.395, shape = sim.worldWidth_m() / sim.worldHeight_m();
   const double height = std::min<double>(sim.worldHeight_m() - 4.0, std::sqrt(area / shape));
@@ -46,7 +74,7 @@ Snapshot uniformScene(Simulation& sim, const SimulationConfig& config) {
   for (uint32_t id = 0; id < config.enemies; ++id) {
     EntityRecord e{};
     e.id = id;
-    e.type = unit(random) < 0.7 ? 0u : 1u + uint32_t(random() % (config.rules.enemyTypeCount - 1));
+    e.type = unit(random) < 0.7 ? 0u : 1u + uint32_t(random() % (kamikazes - 1));
     const EnemyRules& rules = config.rules.enemies[e.type];
     e.x = e.previous_x = float(0.5 * sim.worldWidth_m() + (unit(random) - 0.5) * width);
     e.y = e.previous_y = float(0.5 * sim.worldHeight_m() + (unit(random) - 0.5) * height);
@@ -57,7 +85,7 @@ Snapshot uniformScene(Simulation& sim, const SimulationConfig& config) {
     e.velocity_y = e.direction_y * rules.speed_mps * 0.6f;
     e.energy = rules.energy;
     e.mass = rules.mass;
-    e.state = e.type == 0 ? 1u : 0u;
+    e.state = uint32_t(e.type == 0 ? State::attacking : State::wandering);
     e.target = kNobody;
     scene.entities.push_back(e);
   }
@@ -67,6 +95,16 @@ Snapshot uniformScene(Simulation& sim, const SimulationConfig& config) {
 Snapshot swarmScene(Simulation& sim, const SimulationConfig& config) {
   sim.restore(uniformScene(sim, config));
   playOn(sim, kSwarmTicks);
+  return sim.snapshot();
+}
+
+Snapshot mixedScene(Simulation& sim, uint32_t ticks) {
+  playOn(sim, 1);
+  Snapshot scene = sim.snapshot();
+  makeUntouchable(scene);
+  scene.arrangement.clear();
+  sim.restore(scene);
+  playOn(sim, ticks);
   return sim.snapshot();
 }
 

@@ -21,15 +21,27 @@ double milliseconds(const Work& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// The game's own rules, but: the first type always sees the ship, the others only in a swarm; nothing else spawns,
-// nothing ends the run.
-SimulationConfig configFor(uint32_t enemies, uint32_t threads, bool swarm);
+enum class Scene { uniform, swarm, mixed, horde };
+constexpr const char* nameOf(Scene scene) {
+  constexpr const char* kNames[] = {"uniform", "swarm", "mixed", "horde"};
+  return kNames[int(scene)];
+}
 
-// Enemies at 0.395 per square metre, which puts 20 within 4 m, around the middle of the world.
+// The game's own rules, but nothing costs the ship anything. Uniform and swarm: the first type always sees the ship,
+// the others only in a swarm; nothing else spawns. Horde: all see it.
+SimulationConfig configFor(uint32_t enemies, uint32_t threads, Scene scene);
+
+Snapshot sceneOf(Scene scene, Simulation& sim, const SimulationConfig& config);
+
+// Kamikazes at 0.395 per square metre, which puts 20 within 4 m, around the middle of the world.
 Snapshot uniformScene(Simulation& sim, const SimulationConfig& config);
 
 // The same after 20 s, in which all of them have attacked an untouchable ship.
 Snapshot swarmScene(Simulation& sim, const SimulationConfig& config);
+
+// All seven types in the arcade's mix, spread over the world, after 5 s of the game as it is; as a horde after 20 s, in
+// which all of them have attacked.
+Snapshot mixedScene(Simulation& sim, uint32_t ticks);
 
 // Ticks one by one, as a window would ask for them.
 void playOn(Simulation& sim, uint32_t ticks);

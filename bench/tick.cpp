@@ -1,7 +1,9 @@
 // bench/tick: milliseconds per tick on the cpu device, by scene and number of enemies.
 //
-//   uniform  about 20 neighbours within vision everywhere; 70 % of the enemies attack, 30 % wander
-//   swarm    every enemy has attacked an untouchable ship for 20 s: the density that contact response allows
+//   uniform  kamikazes, about 20 neighbours within vision everywhere; 70 % of them attack, 30 % wander
+//   swarm    the same, all of which have attacked an untouchable ship for 20 s: the density contact response allows
+//   mixed    all seven types in the arcade's mix, all over the world, as they live after 5 s
+//   horde    the same, all of which have attacked for 20 s
 //
 //   build/release/gw_bench_tick [--out FILE.md] [--threads N] [--enemies N,N,...] [--rounds R]
 //
@@ -30,11 +32,11 @@ struct Figures {
   std::vector<StageTime> stages;
 };
 
-Figures measure(uint32_t enemies, uint32_t threads, bool swarm, uint32_t rounds) {
-  SimulationConfig config = configFor(enemies, threads, swarm);
+Figures measure(uint32_t enemies, uint32_t threads, Scene which, uint32_t rounds) {
+  SimulationConfig config = configFor(enemies, threads, which);
   config.particles = true;  // as in a window; they are a stage of their own in the table
   const auto sim = cpu::makeSimulation(config);
-  const Snapshot scene = swarm ? swarmScene(*sim, config) : uniformScene(*sim, config);
+  const Snapshot scene = sceneOf(which, *sim, config);
   std::vector<double> ticks, gathers;
   Figures figures;
   for (uint32_t round = 0; round < rounds + 1; ++round) {
@@ -73,14 +75,14 @@ int main(int argc, char** argv) {
   std::ostringstream table;
   table << "# Tick\n\n"
         << machineLine() << "\n\nMedians of " << rounds << " rounds of " << kTicksPerRound
-        << " ticks; `gw_bench_tick`. The tick is the whole game on the cpu device; the 4 m gather is not part of it\n"
-           "(kamikazes need no neighbours to think) and is what one pass of every enemy over its vision costs.\n\n"
+        << " ticks; `gw_bench_tick`. The tick is the whole game on the cpu device; the 4 m gather is not part of it:\n"
+           "it is what one pass of every enemy over its vision costs.\n\n"
         << "| scene | enemies | ms per tick | 4 m gather, ms | candidates per enemy |";
   bool named = false;
   std::ostringstream rows;
-  for (const bool swarm : {false, true}) {
+  for (const Scene scene : {Scene::uniform, Scene::swarm, Scene::mixed, Scene::horde}) {
     for (const uint32_t enemies : sizes) {
-      const Figures f = measure(enemies, threads, swarm, rounds);
+      const Figures f = measure(enemies, threads, scene, rounds);
       if (!named) {
         for (const StageTime& stage : f.stages) table << " " << stage.name << " |";
         table << "\n|---|---|---|---|---|";
@@ -89,15 +91,15 @@ int main(int argc, char** argv) {
         named = true;
       }
       char line[160];
-      std::snprintf(line, sizeof line, "| %s | %u | %.3f | %.3f | %.1f |", swarm ? "swarm" : "uniform", enemies,
-                    f.tick_ms, f.gather_ms, f.candidates);
+      std::snprintf(line, sizeof line, "| %s | %u | %.3f | %.3f | %.1f |", nameOf(scene), enemies, f.tick_ms,
+                    f.gather_ms, f.candidates);
       rows << line;
       for (const StageTime& stage : f.stages) {
         std::snprintf(line, sizeof line, " %.3f |", stage.total_ms / double(stage.calls));
         rows << line;
       }
       rows << "\n";
-      std::fprintf(stderr, "%s %u: %.3f ms\n", swarm ? "swarm" : "uniform", enemies, f.tick_ms);
+      std::fprintf(stderr, "%s %u: %.3f ms\n", nameOf(scene), enemies, f.tick_ms);
     }
   }
   const std::string text = table.str() + rows.str();
