@@ -185,7 +185,8 @@ TEST_F(collide, the_costliest_touches_then_the_lowest_id) {
   enemy(7, kQuad, ship_x, ship_y + 0.5f);
   enemy(8, kHexagon, ship_x + 1.9f, ship_y);  // 0.25 m too far
   run();
-  EXPECT_EQ(contact >> 32, 6000u);
+  EXPECT_EQ(contact >> 32, rules.enemies[kQuad].contact_us);
+  ASSERT_GT(rules.enemies[kQuad].contact_us, rules.enemies[kTriangle].contact_us);
   EXPECT_EQ(~uint32_t(contact), 5u);
   world.master.ship.untouchable_ticks = 1;
   run();
