@@ -11,7 +11,7 @@ namespace gw {
 
 // What the kernels play. Bump it in the commit that makes equal inputs give another game: replays of
 // another version are then refused by name instead of failing as desyncs.
-inline constexpr uint32_t kSimulationVersion = 2;
+inline constexpr uint32_t kSimulationVersion = 3;
 
 inline constexpr uint16_t kReplayMajor = 1;  // older programs refuse a newer major...
 inline constexpr uint16_t kReplayMinor = 1;  // ...and skip what a newer minor adds

@@ -17,6 +17,9 @@ GW_FN State nextState(const MachineTable& table, State state, uint32_t condition
   return state;
 }
 
+// How often an entity asks for company, each in its turn: so often its states can change by it.
+constexpr uint32_t kAskEvery_ticks = 4;
+
 // What a think kernel knows of its entity.
 struct Self {
   uint32_t id, type;
@@ -24,7 +27,9 @@ struct Self {
   float velocity_x, velocity_y;
   float direction_x, direction_y;
   float energy, mass;
-  float ship_x, ship_y, shipDistance_m;  // offset to the ship and its length
+  float ship_x, ship_y;         // offset to the ship
+  float shipDistance_m = 0.0f;  // its length
+  float speed_mps = 0.0f;       // of its type, at the pace of the present wave
 };
 
 // Its own kind within its vision, itself left out. Sums do not mind the order in which they were visited.
@@ -71,13 +76,12 @@ GW_FN Float2 drifted(const Self& self, float most_rad, uint64_t seed, uint32_t t
                     self.direction_x * turn.sine + self.direction_y * turn.cosine);
 }
 
-GW_FN Wish wander(const Self& self, const EnemyRules& rules, const Rules::Steering& steering, uint64_t seed,
-                  uint32_t tick) {
+GW_FN Wish wander(const Self& self, const Rules::Steering& steering, uint64_t seed, uint32_t tick) {
   const Float2 heading = drifted(self, steering.wanderDrift_rad, seed, tick);
   const Float2 toShip = normalised(self.ship_x, self.ship_y);
   const Float2 way =
       normalised(heading.x + steering.wanderToShip * toShip.x, heading.y + steering.wanderToShip * toShip.y);
-  const float speed = rules.speed_mps * steering.wanderSpeed;
+  const float speed = self.speed_mps * steering.wanderSpeed;
   return {way.x * speed, way.y * speed, heading.x, heading.y};
 }
 

@@ -9,22 +9,26 @@ namespace gw::GW_DEVICE {
 
 // Wandering, drawn to the middle of its kind and turned along their heading, which it takes over: so that a
 // group comes to agree on one.
-GW_FN Wish flyInGroup(const Self& self, const Company& company, const EnemyRules& rules,
-                      const Rules::Steering& steering, uint64_t seed, uint32_t tick) {
+GW_FN Wish flyInGroup(const Self& self, const Company& company, const Rules::Steering& steering, uint64_t seed,
+                      uint32_t tick) {
   const Float2 heading = drifted(self, steering.wanderDrift_rad, seed, tick);
   const Float2 toShip = normalised(self.ship_x, self.ship_y), middle = company.middle(), theirs = company.along();
   const Float2 way = normalised(
       heading.x + steering.wanderToShip * toShip.x + steering.cohesion * middle.x + steering.alignment * theirs.x,
       heading.y + steering.wanderToShip * toShip.y + steering.cohesion * middle.y + steering.alignment * theirs.y);
-  return along(way, rules.speed_mps * steering.wanderSpeed);
+  return along(way, self.speed_mps * steering.wanderSpeed);
 }
 
-GW_FN Wish groupAttack(const Self& self, const Company& company, const EnemyRules& rules,
-                       const Rules::Steering& steering) {
+// Until it asks again, and when it is alone in its group.
+GW_FN Wish flyOn(const Self& self, const Rules::Steering& steering) {
+  return along({self.direction_x, self.direction_y}, self.speed_mps * steering.wanderSpeed);
+}
+
+GW_FN Wish groupAttack(const Self& self, const Company& company, const Rules::Steering& steering) {
   const Float2 toShip = normalised(self.ship_x, self.ship_y), theirs = company.along();
   const Float2 way =
       normalised(toShip.x + steering.attackAlignment * theirs.x, toShip.y + steering.attackAlignment * theirs.y);
-  return along(way, rules.speed_mps);
+  return along(way, self.speed_mps);
 }
 
 // Across the path of a shot that flies along `flight` and lies at `offset` (from the shot to the entity):

@@ -44,7 +44,7 @@ struct ClearChoices {
     v.choice[id] = kNobody;
     v.chosenBy[id] = 0;
     v.spent[id] = 0;
-    v.pushSum[2 * id] = v.pushSum[2 * id + 1] = 0;
+    v.pushSum[3 * id] = v.pushSum[3 * id + 1] = v.pushSum[3 * id + 2] = 0;
   }
 };
 
@@ -165,6 +165,24 @@ struct Suffer {
   }
 };
 
+// What pushes one body: their sum, and the sum of their lengths (|x| + |y|), which is longer the more of them cancel.
+struct Pushes {
+  FixedSum2 sum;
+  int64_t lengths = 0;
+
+  GW_BODY void add(float x_mps, float y_mps) {
+    const int64_t x = fixedTerm(x_mps, kPushScale), y = fixedTerm(y_mps, kPushScale);
+    sum.x += x;
+    sum.y += y;
+    lengths += magnitude64(x) + magnitude64(y);
+  }
+  // How hard it is pressed: what of the pushes cancels (m/s).
+  GW_BODY float pressed_mps() const { return float(lengths - magnitude64(sum.x) - magnitude64(sum.y)) / kPushScale; }
+
+ private:
+  GW_BODY static int64_t magnitude64(int64_t x) { return x < 0 ? -x : x; }
+};
+
 // One item: one cell; works for enemies. Overlapping bodies are pushed apart: each pair shares its depth by
 // mass, half of it per tick. A pair is found once, from the cell that comes first, and pushes both ways;
 // integer sums do not mind the order.
@@ -180,10 +198,11 @@ struct PushApart {
     const Rules& r = v.tables->rules;
     const EnemyRules& own = r.enemies[from.type];
     const float mass = v.nextDirectionMass[from.id].z;
-    const float steps = 2.0f * enemyStep_m(v), reach = reachOf(own) + v.tables->limits.largestReach_m + steps;
-    const float near_x = own.halfWidth_m + steps, near_y = own.halfHeight_m + steps;
-    FixedSum2 sum;
-    search.after(i, from.x, from.y, reach, [&](const Cell& other, uint32_t place, float dx, float dy) {
+    // From where it stands after this tick to where the others stood before it.
+    const float step = enemyStep_m(v), reach = reachOf(own) + v.tables->limits.largestReach_m + step;
+    const float near_x = own.halfWidth_m + step, near_y = own.halfHeight_m + step;
+    Pushes sum;
+    search.after(i, to.x, to.y, reach, [&](const Cell& other, uint32_t place, float dx, float dy) {
       if (!isEnemy(other.type)) return;
       const EnemyRules& theirs = r.enemies[other.type];
       // Most are out of reach even by their boxes, and need not be looked up.
@@ -195,18 +214,20 @@ struct PushApart {
       constexpr float kPerTick = 0.5f * float(kTicksPerSecond);
       const float otherMass = v.nextDirectionMass[other.id].z, masses = mass + otherMass;
       const float share = otherMass / masses * kPerTick, theirShare = mass / masses * kPerTick;
-      sum.add(deep.x * share, deep.y * share, kPushScale);
-      FixedSum2 back;
-      back.add(-deep.x * theirShare, -deep.y * theirShare, kPushScale);
+      sum.add(deep.x * share, deep.y * share);
+      Pushes back;
+      back.add(-deep.x * theirShare, -deep.y * theirShare);
       addTo(other.id, back);
     });
     addTo(from.id, sum);
   }
 
  private:
-  GW_BODY void addTo(uint32_t id, FixedSum2 sum) const {
-    if (sum.x != 0) atomicAddTo64(v.pushSum[2 * id], uint64_t(sum.x));
-    if (sum.y != 0) atomicAddTo64(v.pushSum[2 * id + 1], uint64_t(sum.y));
+  GW_BODY void addTo(uint32_t id, const Pushes& pushes) const {
+    if (pushes.lengths == 0) return;
+    atomicAddTo64(v.pushSum[3 * id], uint64_t(pushes.sum.x));
+    atomicAddTo64(v.pushSum[3 * id + 1], uint64_t(pushes.sum.y));
+    atomicAddTo64(v.pushSum[3 * id + 2], uint64_t(pushes.lengths));
   }
 };
 
@@ -217,26 +238,38 @@ struct Respond {
   GW_BODY void operator()(uint32_t i) const {
     const Cell cell = v.cells[i];
     if (!isEnemy(cell.type) || v.master->over || v.state[cell.id].x == uint32_t(State::dead)) return;
-    const FixedSum2 sum{int64_t(v.pushSum[2 * cell.id]), int64_t(v.pushSum[2 * cell.id + 1])};
-    Float2 push = sum.total(kPushScale);
+    const uint64_t* sums = v.pushSum + 3 * size_t(cell.id);
+    const Pushes pushes{{int64_t(sums[0]), int64_t(sums[1])}, int64_t(sums[2])};
+    if (pushes.lengths == 0) {
+      v.push[cell.id] = {0.0f, 0.0f};
+      return;
+    }
+    Float2 push = pushes.sum.total(kPushScale);
     const float speed = length(push.x, push.y), most = v.tables->rules.steering.separation_mps;
     if (speed > most) push = {push.x * (most / speed), push.y * (most / speed)};
-    respond(cell.id, push);
+    respond(cell.id, push, pushes.pressed_mps());
   }
 
  private:
-  // Moves by the push in the next tick; and what flies against it loses that part of its velocity, the more
-  // the harder the push. Without this a crowd faster than the push would shrink to a point.
-  GW_BODY void respond(uint32_t id, Float2 push) const {
+  // Moves by the push in the next tick; what flies against it loses that part of its velocity, the more the harder
+  // the push; and what is pressed from all sides is held. Without these a crowd shrinks towards a point, faster
+  // than the push can part it.
+  GW_BODY void respond(uint32_t id, Float2 push, float pressed_mps) const {
+    const Rules::Steering& steering = v.tables->rules.steering;
     v.push[id] = push;
-    const float speed = length(push.x, push.y);
-    if (!(speed > 0.0f)) return;
     Float4 motion = v.velocityPrevious[id];
-    const float against = (motion.x * push.x + motion.y * push.y) / speed;
-    if (against >= 0.0f) return;
-    const float lost = against * (speed / v.tables->rules.steering.separation_mps) / speed;
-    motion.x -= push.x * lost;
-    motion.y -= push.y * lost;
+    const float speed = length(push.x, push.y);
+    if (speed > 0.0f) {
+      const float against = (motion.x * push.x + motion.y * push.y) / speed;
+      if (against < 0.0f) {
+        const float lost = against * (speed / steering.separation_mps) / speed;
+        motion.x -= push.x * lost;
+        motion.y -= push.y * lost;
+      }
+    }
+    const float kept = steering.press_mps / (steering.press_mps + pressed_mps);
+    motion.x = motion.x * kept;
+    motion.y = motion.y * kept;
     v.velocityPrevious[id] = motion;
   }
 };

@@ -76,6 +76,7 @@ struct Report {
     report.untouchable_ticks = m.ship.untouchable_ticks;
     report.clock_ticks = m.clock_ticks;
     report.wave = m.wave + m.endless;
+    report.pace = m.pace;
     for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) {
       report.enemies += m.totals.occupied[t];
       report.killsByType[t] = m.killsByType[t];

@@ -68,12 +68,14 @@ struct Master {
   uint32_t clock_ticks = 0;  // left; deadline only
   uint32_t allAttack = 0;    // swarm: few are left, and all see the ship
   float endlessPoints = 0;
+  float pace = 1.0f;  // enemies are so many times as fast as their types
   uint32_t contacts = 0;
   uint32_t bitsTaken = 0;
   uint32_t refused = 0;
   uint32_t peakEnemies = 0;
   InputRecord input{};  // of the tick before: a button goes down once, and a bot holds on to what it decided
   uint32_t killsByType[kMaxEnemyTypes] = {};
+  uint32_t reserved = 0;
 };
 static_assert(sizeof(Master) % sizeof(uint64_t) == 0);
 

@@ -120,6 +120,7 @@ struct Rules {
     float wanderToShip;     // weight of the ship's direction while wandering
     float damagedSpeed;     // a damaged kamikaze is this much faster
     float separation_mps;   // most that overlapping bodies are pushed
+    float press_mps;        // pushes that cancel: at this sum of them a body keeps half of its velocity
     float sightLost;        // sight is lost at this multiple of it
 
     // Group and tricky. Weights are those of unit vectors, the way ahead having weight 1.
@@ -143,6 +144,7 @@ struct Rules {
   struct Endless {
     uint32_t from_ticks, every_ticks;
     float points, growth;
+    float paceGrowth, paceMost;  // each wave makes all enemies so many times as fast as before, up to the most
     float price[kMaxEnemyTypes];
     uint32_t chance_percent[kMaxEnemyTypes];
   } endless;

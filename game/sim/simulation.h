@@ -77,6 +77,7 @@ struct TickReport {
   uint32_t untouchable_ticks = 0;
   uint32_t clock_ticks = 0;                   // left; deadline only
   uint32_t wave = 0;                          // waves started
+  float pace = 1.0f;                          // enemies are so many times as fast as their types
   uint32_t enemies = 0, shots = 0, bits = 0;  // alive
   uint32_t enemiesInView = 0;                 // within Rules::Idle's half extents of the ship
   uint32_t idle_ticks = 0;                    // for so long the next wave has been waited for; see Rules::Idle

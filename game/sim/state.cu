@@ -74,7 +74,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   push = Buffer<Float2>(queue, n);
   choiceTime = Buffer<float>(queue, n);
   for (auto* words : {&birthTick, &target, &choice, &chosenBy, &spent, &event}) *words = Buffer<uint32_t>(queue, n);
-  pushSum = Buffer<uint64_t>(queue, 2 * size_t(n));
+  pushSum = Buffer<uint64_t>(queue, 3 * size_t(n));
   for (auto* words : {&births, &hashes, &threat}) *words = Buffer<uint64_t>(queue, n);
 
   const bool arranged = isArrangementState(gather_);

@@ -54,7 +54,7 @@ struct View {
   uint32_t* chosenBy;  // how many shots picked this victim
   uint32_t* spent;     // 1: the shot's hit was taken
   uint32_t* event;     // EntityEvent bits
-  uint64_t* pushSum;   // [2 * id], [2 * id + 1]: x and y of the push, in fixed point, as two's complement
+  uint64_t* pushSum;   // [3 * id ...]: x and y of the pushes, and their lengths; fixed point, two's complement
   uint64_t* threat;    // the nearest shot that comes: ~(squared distance's bits << 32 | id); 0: none
   uint64_t* hashes;    // by cell
 

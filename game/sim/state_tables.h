@@ -22,7 +22,7 @@ enum Condition : uint32_t {
   kSeesShip = 1u << 6,    // within its sight
   kLostShip = 1u << 7,    // beyond Rules::Steering::sightLost times its sight
   kOwnKind = 1u << 8,     // one of its own type within its vision
-  kAlone = 1u << 9,       // none of its own type within its vision
+  kAlone = 1u << 9,       // none of its own type within its vision; neither of the two: it is not its turn to ask
 };
 inline constexpr uint32_t kConditionCount = 10;
 

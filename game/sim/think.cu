@@ -68,25 +68,27 @@ struct Think {
     const Float4 force = v.forceEnergy[cell.id], direction = v.directionMass[cell.id];
     const Float4 motion = v.velocityPrevious[cell.id];
     Uint4 state = v.state[cell.id];
-    Self self{cell.id,           cell.type,         cell.x,      cell.y,  motion.x,
-              motion.y,          direction.x,       direction.y, force.w, direction.z,
-              m.ship.x - cell.x, m.ship.y - cell.y, 0.0f};
+    Self self{cell.id,     cell.type,   cell.x,  cell.y,      motion.x,          motion.y,
+              direction.x, direction.y, force.w, direction.z, m.ship.x - cell.x, m.ship.y - cell.y};
     self.shipDistance_m = length(self.ship_x, self.ship_y);
+    self.speed_mps = rules.speed_mps * m.pace;
 
     const State before = State(state.x);
     if (before == State::avoiding && state.y > 0) --state.y;
     if (state.z > 0) --state.z;
     uint32_t conditions = conditionsOf(self, state, rules, threat);
+    // Company is asked for in turns: a horde would do little else. Who has just lost the ship asks at once.
+    const bool turn = (m.tick + cell.id) % kAskEvery_ticks == 0;
+    const bool looks = rules.machine != Machine::kamikaze && (kLooksAround >> uint32_t(before) & 1u) != 0;
     Company company;
-    if (rules.machine != Machine::kamikaze && (kLooksAround >> uint32_t(before) & 1u) != 0) {
-      // Whoever attacks and sees the ship asks nobody, but for a group's heading: most of a horde, most of the time.
-      const bool attacks = before == State::attacking && !(conditions & kLostShip);
-      if (!attacks) {
-        lookAround(i, cell, rules.vision_m, company);
-        conditions |= company.count > 0 ? kOwnKind : kAlone;
-      } else if (rules.machine == Machine::group) {
-        lookAlong(i, cell, rules.vision_m, company);
-      }
+    if (looks && before == State::attacking && !(conditions & kLostShip)) {
+      // Whoever sees the ship needs nobody, but for a group's heading. In between its own, which holds theirs, stands
+      // for it.
+      if (!turn) company.heading.add(direction.x, direction.y, kSteerScale);
+      if (turn && rules.machine == Machine::group) lookAlong(i, cell, rules.vision_m, company);
+    } else if (looks && (turn || before == State::attacking)) {
+      lookAround(i, cell, rules.vision_m, company);
+      conditions |= company.count > 0 ? kOwnKind : kAlone;
     }
     const State after = nextState(v.tables->machines[uint32_t(rules.machine)], before, conditions);
     if (after == State::checkingEnergy) state.w &= ~uint32_t(kFlagHit);
@@ -156,18 +158,18 @@ struct Think {
     switch (state) {
       case State::attacking:
         if (rules.machine == Machine::kamikaze) return kamikazeAttack(self, rules, steering);
-        if (rules.machine == Machine::group) return groupAttack(self, company, rules, steering);
-        return trickyAttack(self, rules, steering);
+        if (rules.machine == Machine::group) return groupAttack(self, company, steering);
+        return trickyAttack(self, steering);
       case State::grouping:
-        return flyInGroup(self, company, rules, steering, m.seed, m.tick);
+        return company.count > 0 ? flyInGroup(self, company, steering, m.seed, m.tick) : flyOn(self, steering);
       case State::avoiding:
         return avoid(self, steering);
       case State::escaping:
-        return escape(self, rules, steering, v.tables->limits);
+        return escape(self, steering, v.tables->limits);
       case State::checkingEnergy:
         return coast(self);
       default:
-        return wander(self, rules, steering, m.seed, m.tick);
+        return wander(self, steering, m.seed, m.tick);
     }
   }
 

@@ -75,6 +75,7 @@ struct Waves {
     const Rules& r = tables.rules;
     ++m.endless;  // the k of the rules, from 1
     m.endlessPoints = smaller(m.endlessPoints * r.endless.growth, 1.0e6f);
+    m.pace = smaller(m.pace * r.endless.paceGrowth, r.endless.paceMost);
     const uint32_t groups = m.endless % 3 + 1;
     uint32_t chances = 0;
     for (uint32_t t = 0; t < r.enemyTypeCount; ++t) chances += r.endless.chance_percent[t];

@@ -109,6 +109,7 @@ void readSteering(TomlTable table, Rules::Steering& steering) {
   steering.wanderToShip = table.number("wander_to_ship", 0, 10);
   steering.damagedSpeed = table.number("damaged_speed", 0.1, 4);
   steering.separation_mps = table.number("separation_mps", 0, 60);
+  steering.press_mps = table.number("press_mps", 0.01, 1.0e6);
   steering.sightLost = table.number("sight_lost", 1, 10);
   steering.cohesion = table.number("cohesion", 0, 10);
   steering.alignment = table.number("alignment", 0, 10);
@@ -143,6 +144,8 @@ void readEndless(TomlTable table, Rules& rules) {
   endless.every_ticks = table.integer32("every_s", 1, 3600) * kTicksPerSecond;
   endless.points = table.number("points", 1, 1'000'000);
   endless.growth = table.number("growth", 1, 2);
+  endless.paceGrowth = table.number("pace_growth", 1, 2);
+  endless.paceMost = table.number("pace_most", 1, 4);
 
   TomlTable prices = table.table("price");
   TomlTable chances = table.table("chance_percent");

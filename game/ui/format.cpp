@@ -32,6 +32,12 @@ std::string oneDecimal(double number) {
   return text;
 }
 
+std::string twoDecimals(double number) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.2f", number);
+  return text;
+}
+
 std::string multiplierText(uint32_t tenths) {
   std::string text(1, 'x');
   text += withCommas(tenths / 10);

@@ -133,6 +133,7 @@ void drawCounts(Canvas& canvas, const RunMonitor& run, const HudFrame& frame) {
   row(70, std::to_string(report.wave), frame.mode == Mode::practice ? "ASKED" : "WAVE", 12, kText);
   row(92, withCommas(report.enemies), "ENEMIES", 12, kText);
   row(114, withCommas(run.dataPerSecond()) + "/s", "DATA", 12, kGood);
+  if (report.pace > 1) row(136, "x" + twoDecimals(double(report.pace)), "OVERCLOCK", 12, kDanger);
 }
 
 void drawFlushes(Canvas& canvas, const TickReport& report, const Rules& rules) {

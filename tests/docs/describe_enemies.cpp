@@ -53,6 +53,7 @@ Json numbersOf(const EnemyRules& enemy) {
 Json numbersOf(const Rules::Steering& steering) {
   return {{"wanderSpeed", steering.wanderSpeed},
           {"damagedSpeed", steering.damagedSpeed},
+          {"press_mps", steering.press_mps},
           {"sightLost", steering.sightLost},
           {"sidewaysBeyond_m", steering.sidewaysBeyond_m},
           {"threat_m", steering.threat_m},
@@ -79,6 +80,7 @@ int main(int argc, char** argv) {
     for (uint32_t m = 0; m < kMachines; ++m) json["machines"][nameOf(Machine(m))] = rowsOf(Machine(m));
     for (uint32_t t = 0; t < rules.enemyTypeCount; ++t) json["enemies"].push_back(numbersOf(rules.enemies[t]));
     json["steering"] = numbersOf(rules.steering);
+    json["endless"] = {{"paceGrowth", rules.endless.paceGrowth}, {"paceMost", rules.endless.paceMost}};
     json["weakEnergy"] = rules.ship.weakEnergy;
     json["announced_ticks"] = rules.world.announced_ticks;
     std::printf("%s\n", json.dump(1).c_str());

@@ -23,7 +23,7 @@ struct Damage {
 };
 
 const Damage kDamages[] = {
-    {"NegativeSpeed", File::enemies, "speed_mps = 7", "speed_mps = -7", "enemy[0].speed_mps", "-7 is out of range"},
+    {"NegativeSpeed", File::enemies, "speed_mps = 9\n", "speed_mps = -9\n", "enemy[0].speed_mps", "-9 is out of range"},
     {"ZeroMass", File::enemies, "mass = 1", "mass = 0", "enemy[0].mass", "out of range"},
     {"InfiniteSight", File::enemies, "sight_m = 30", "sight_m = inf", "enemy[0].sight_m", "inf is out of range"},
     {"NotANumber", File::enemies, "energy = 1", "energy = nan", "enemy[0].energy", "nan is out of range"},
@@ -36,7 +36,7 @@ const Damage kDamages[] = {
     {"UnknownKey", File::enemies, "bits = 6", "bits = 6\nbites = 1", "enemy[2].bites", "not known; remove it", 1},
     {"KeyTwice", File::enemies, "bits = 6", "bits = 6\nbits = 7", "", "not TOML", 1},
     {"UnknownMachine", File::enemies, "\"kamikaze\"", "\"banzai\"", "enemy[0].machine", "choose one of: kamikaze"},
-    {"NoSpeed", File::enemies, "speed_mps = 7\n", "", "enemy[0].speed_mps", "the key is missing", -5},
+    {"NoSpeed", File::enemies, "speed_mps = 9\n", "", "enemy[0].speed_mps", "the key is missing", -5},
     {"GroupWithoutCooldown", File::enemies, "\"kamikaze\"", "\"group\"", "enemy[0].avoid_cooldown_ticks", "missing",
      -2},
     {"KamikazeWithCooldown", File::enemies, "bits = 6", "bits = 6\navoid_cooldown_ticks = 9",
@@ -84,6 +84,10 @@ const Damage kDamages[] = {
     {"RecoversBelowEscape", File::game, "recovered_at = 0.9", "recovered_at = 0.4", "steering.recovered_at",
      "not above escape_below"},
     {"AvoidsTooFast", File::game, "avoid_mps = 15", "avoid_mps = 19", "steering.avoid_mps", "from 0 to 18"},
+    {"PressesForNothing", File::game, "press_mps = 4", "press_mps = 0", "steering.press_mps", "0 is out of range"},
+    {"NoPress", File::game, "press_mps = 4", "", "steering.press_mps", "the key is missing", -7},
+    {"PaceFalls", File::game, "pace_growth = 1.028", "pace_growth = 0.9", "endless.pace_growth", "from 1 to 2"},
+    {"PaceIsNoNumber", File::game, "pace_most = 2", "pace_most = nan", "endless.pace_most", "nan is out of range"},
     {"NoClock", File::game, "clock_s = 180", "clock_s = 0", "deadline.clock_s", "0 is out of range"},
     {"NoWaveRate", File::game, "wave_rate = 2", "wave_rate = 0", "deadline.wave_rate", "0 is out of range"},
     {"SwarmTooClear", File::game, "clearance_m = 30          # of the ship", "clearance_m = 31", "swarm.clearance_m",

@@ -79,6 +79,7 @@ TEST(Tables, HoldBitsFlushSteeringAndIdle) {
   EXPECT_EQ(rules.steering.wanderToShip, 0.35f);
   EXPECT_EQ(rules.steering.damagedSpeed, 1.25f);
   EXPECT_EQ(rules.steering.separation_mps, 6.0f);
+  EXPECT_EQ(rules.steering.press_mps, 4.0f);
   EXPECT_EQ(rules.steering.sightLost, 1.25f);
   EXPECT_EQ(rules.idle.fewerThan, 8u);
   EXPECT_EQ(rules.idle.halfWidth_m, 36.0f);
@@ -104,7 +105,7 @@ TEST(Tables, HoldTheEnemyTypes) {
   EXPECT_EQ(quad.bounds, Bounds::rectangle);
   EXPECT_EQ(quad.halfWidth_m, 0.55f);
   EXPECT_EQ(quad.halfHeight_m, 0.55f);
-  EXPECT_EQ(quad.speed_mps, 10.5f);
+  EXPECT_GT(quad.speed_mps, triangle.speed_mps);  // by how much is a question of balance
   EXPECT_EQ(quad.sight_m, 24.0f);
   EXPECT_EQ(quad.shape, Shape::square);
 

@@ -52,6 +52,7 @@ TEST(UiFormatTest, NumbersAsPeopleReadThem) {
   EXPECT_EQ(multiplierText(10), "x1.0");
   EXPECT_EQ(multiplierText(12345), "x1,234.5");
   EXPECT_EQ(oneDecimal(framesPerSecond(16667)), "60.0");
+  EXPECT_EQ(twoDecimals(1.125), "1.12");
   EXPECT_EQ(framesPerSecond(0), 0);
 }
 

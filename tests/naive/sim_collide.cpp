@@ -128,29 +128,43 @@ void meetShip(World& world, Entity& e) {
   }
 }
 
-Vector push(const World& world, const Entity& e) {
-  int64_t x = 0, y = 0;
+struct Pressed {
+  Vector push;
+  float held;  // pushes that cancel, m/s
+};
+
+Pressed push(const World& world, const Entity& e) {
+  int64_t x = 0, y = 0, all = 0;
   for (const Entity& other : world.entities) {
     if (!world.isEnemy(other) || other.id == e.id || other.state == uint32_t(Mind::dead)) continue;
     const Vector deep =
         depth(world.rulesOf(e), world.rulesOf(other), {e.x - other.x, e.y - other.y}, e.id < other.id ? 1.0f : -1.0f);
     const float share = other.mass / (e.mass + other.mass) * 30.0f;
-    x += units(deep.x * share);
-    y += units(deep.y * share);
+    const int64_t aside = units(deep.x * share), up = units(deep.y * share);
+    x += aside;
+    y += up;
+    all += std::abs(aside) + std::abs(up);
   }
   const Vector sum = {float(x) / 1048576.0f, float(y) / 1048576.0f};
   const float speed = lengthOf(sum), most = world.rules.steering.separation_mps;
-  return speed > most ? Vector{sum.x * (most / speed), sum.y * (most / speed)} : sum;
+  const float held = float(all - std::abs(x) - std::abs(y)) / 1048576.0f;
+  return {speed > most ? Vector{sum.x * (most / speed), sum.y * (most / speed)} : sum, held};
 }
 
-// What flies against the push loses of that part of its velocity, all of it at the hardest push.
-void yield(const World& world, Entity& e, Vector apart) {
-  const float speed = lengthOf(apart),
+// What flies against the push loses of that part of its velocity, all of it at the hardest push; and pushes that
+// cancel hold it, half of its velocity at press_mps.
+void yield(const World& world, Entity& e, const Pressed& pressed) {
+  const Vector apart = pressed.push;
+  const float speed = lengthOf(apart), press = world.rules.steering.press_mps,
               along = speed > 0.0f ? (e.velocity_x * apart.x + e.velocity_y * apart.y) / speed : 0.0f;
-  if (along >= 0.0f) return;
-  const float lost = along * (speed / world.rules.steering.separation_mps) / speed;
-  e.velocity_x -= apart.x * lost;
-  e.velocity_y -= apart.y * lost;
+  if (along < 0.0f) {
+    const float lost = along * (speed / world.rules.steering.separation_mps) / speed;
+    e.velocity_x -= apart.x * lost;
+    e.velocity_y -= apart.y * lost;
+  }
+  if (pressed.held == 0.0f) return;
+  e.velocity_x *= press / (press + pressed.held);
+  e.velocity_y *= press / (press + pressed.held);
 }
 
 }  // namespace
@@ -193,10 +207,10 @@ void collide(World& world) {
     std::sort(chosenBy[e.id].begin(), chosenBy[e.id].end());
     suffer(world, e, chosenBy[e.id], spent);
     meetShip(world, e);
-    const Vector apart = push(world, e);
-    e.push_x = apart.x;
-    e.push_y = apart.y;
-    yield(world, e, apart);
+    const Pressed pressed = push(world, e);
+    e.push_x = pressed.push.x;
+    e.push_y = pressed.push.y;
+    yield(world, e, pressed);
   }
   for (const auto& [id, choice] : choices) {
     Entity& shot = world.byId(id);

@@ -164,6 +164,7 @@ void bringEndless(World& world, uint32_t& room) {
   const Rules::Endless& e = world.rules.endless;
   ++m.endless;
   m.endlessPoints = std::min(m.endlessPoints * e.growth, 1.0e6f);
+  m.pace = std::min(m.pace * e.paceGrowth, e.paceMost);
   const uint32_t groups = 1 + m.endless % 3;
   for (uint32_t g = 0; g < groups; ++g) {
     const auto dice = cpu::philox(m.seed, {m.tick, g, kEndlessPurpose, 0});

@@ -33,6 +33,12 @@ Vector unitOf(const cpu::FixedSum2& sum) {
   return unit(total.x, total.y);
 }
 
+Vector unitOfOwn(const Entity& e) {
+  cpu::FixedSum2 own;
+  own.add(e.direction_x, e.direction_y, 1048576.0f);
+  return unitOf(own);
+}
+
 Sight look(const World& world, const std::vector<Entity>& all, const Entity& e) {
   const Rules::Steering& rules = world.rules.steering;
   const EnemyRules& type = world.rulesOf(e);
@@ -96,7 +102,7 @@ void steer(const World& world, Entity& e, const Sight& sight) {
   const float ship_x = world.master.ship.x - e.x, ship_y = world.master.ship.y - e.y;
   const Vector toShip = unit(ship_x, ship_y);
   Vector way = toShip;
-  float speed = type.speed_mps, response = r.response;
+  float speed = type.speed_mps * world.master.pace, response = r.response;
   bool keepsWay = true;  // its heading becomes its way
   Vector heading{e.direction_x, e.direction_y};
   switch (Mind(e.state)) {
@@ -118,19 +124,21 @@ void steer(const World& world, Entity& e, const Sight& sight) {
       break;
     case Mind::escaping:
       way = flight(world, e, toShip);
-      speed = type.speed_mps * r.escapeSpeed;
+      speed = type.speed_mps * world.master.pace * r.escapeSpeed;
       e.energy = std::min(e.energy + r.recover_per_s * kTick_s, type.energy);
       break;
     case Mind::grouping:
+      speed = type.speed_mps * world.master.pace * r.wanderSpeed;
+      way = heading;
+      if (sight.kin == 0) break;  // until it asks again it flies on
       heading = drifted(world, e);
       way = unit(heading.x + r.wanderToShip * toShip.x + r.cohesion * sight.middle.x + r.alignment * sight.heading.x,
                  heading.y + r.wanderToShip * toShip.y + r.cohesion * sight.middle.y + r.alignment * sight.heading.y);
-      speed = type.speed_mps * r.wanderSpeed;
       break;
     case Mind::wandering:
       heading = drifted(world, e);
       way = unit(heading.x + r.wanderToShip * toShip.x, heading.y + r.wanderToShip * toShip.y);
-      speed = type.speed_mps * r.wanderSpeed;
+      speed = type.speed_mps * world.master.pace * r.wanderSpeed;
       keepsWay = false;
       break;
     case Mind::checkingEnergy:
@@ -172,7 +180,12 @@ void thinkEnemy(const World& world, const std::vector<Entity>& all, Entity& e) {
   facts.shotComing = sight.shot && e.cooldown == 0;
   facts.seesShip = world.master.allAttack || distance <= type.sight_m;
   facts.lostShip = !world.master.allAttack && distance > type.sight_m * r.sightLost;
-  facts.company = sight.kin > 0;
+  // Company is asked for on every fourth tick, by turns; who attacks and sees the ship does not ask.
+  const bool turn = (world.master.tick + e.id) % 4 == 0, attacks = before == Mind::attacking;
+  const bool charges = attacks && !facts.lostShip;
+  const bool asks = before == Mind::wandering || before == Mind::grouping ? turn : attacks && !charges;
+  facts.company = asks && sight.kin > 0;
+  facts.alone = asks && sight.kin == 0;
   const Mind after = nextMind(type.machine, before, facts);
   e.state = uint32_t(after);
   e.transited = after != before;
@@ -180,8 +193,9 @@ void thinkEnemy(const World& world, const std::vector<Entity>& all, Entity& e) {
   if (after == Mind::checkingEnergy) e.flags &= ~uint32_t(kFlagHit);
   if (e.transited && after == Mind::avoiding) beginToAvoid(world, e, *sight.shot);
   if (after == Mind::dead) return;
-  const bool looked = before == Mind::wandering || before == Mind::grouping || before == Mind::attacking;
-  steer(world, e, looked ? sight : Sight{});
+  Sight used = asks || (charges && turn) ? sight : Sight{};
+  if (charges && !turn) used.heading = unitOfOwn(e);
+  steer(world, e, used);
 }
 
 void thinkBit(const World& world, Entity& e) {
@@ -231,7 +245,8 @@ Mind nextMind(Machine machine, Mind mind, const Facts& f) {
     return !kamikaze && f.company ? Mind::grouping : Mind::wandering;
   }
   if (kamikaze) return mind;
-  return f.company ? Mind::grouping : Mind::wandering;
+  if (mind == Mind::grouping) return f.alone ? Mind::wandering : mind;
+  return f.company ? Mind::grouping : mind;
 }
 
 void think(World& world) {

@@ -53,7 +53,8 @@ void tick(World& world, const InputRecord& input);
 enum class Mind : uint32_t { wandering, grouping, attacking, avoiding, escaping, checkingEnergy, dead };
 struct Facts {
   bool damaged = false, energyGone = false, energyLow = false, recovered = false, avoided = false, shotComing = false,
-       seesShip = false, lostShip = false, company = false;
+       seesShip = false, lostShip = false;
+  bool company = false, alone = false;  // neither: it did not ask
 };
 Mind nextMind(Machine machine, Mind mind, const Facts& facts);
 // Earliest time in 0..1 at which a circle at (x, y), moving by (dx, dy), touches the body at the origin; 2: never.

@@ -96,6 +96,20 @@ TEST_F(separation, is_never_faster_than_the_rules_say) {
   EXPECT_GT(fastest, 5.99f);
 }
 
+// Three in a row: the middle one's pushes cancel, 6 m/s of them, so it keeps 4 / (4 + 6) of its velocity; the outer
+// ones are pushed from one side only, and not held across it.
+TEST_F(separation, holds_what_is_pressed_from_both_sides) {
+  ASSERT_EQ(rules.steering.press_mps, 4.0f);
+  for (const uint32_t id : {0u, 1u, 2u}) {
+    world.add(enemyAt(rules, id, 0, 40.0f + 0.8f * float(id), 40.0f)).velocity_y = 2.0f;
+  }
+  const auto after = run();
+  EXPECT_NEAR(after[1].push_x, 0.0f, 1.0e-4f);
+  EXPECT_NEAR(after[1].velocity_y, 2.0f * 4.0f / (4.0f + 6.0f), 1.0e-3f);
+  EXPECT_EQ(after[0].velocity_y, 2.0f);
+  EXPECT_EQ(after[2].velocity_y, 2.0f);
+}
+
 TEST_F(separation, frees_a_heap_in_a_few_seconds) {
   Dice dice(12);
   for (uint32_t i = 0; i < 60; ++i) {

@@ -71,6 +71,7 @@ TEST_F(waves, endless_ones_follow_with_growing_points) {
   m.wave = rules.waveCount;
   m.tick = m.waveClock_ticks = rules.endless.from_ticks;
   double points = rules.endless.points * double(rules.endless.growth);  // the rules count waves from 1
+  double pace = 1.0;
   std::set<uint32_t> types;
   std::set<Pattern> patterns;
   for (uint32_t k = 0; k < 24; ++k) {
@@ -80,6 +81,8 @@ TEST_F(waves, endless_ones_follow_with_growing_points) {
       run();
       ASSERT_EQ(s.waveSounds, tick == 0 ? 1u : 0u) << tick;
       if (tick > 0) continue;
+      pace = std::min(pace * double(rules.endless.paceGrowth), double(rules.endless.paceMost));
+      EXPECT_NEAR(double(m.pace), pace, 1.0e-5);
       const uint32_t groups = (k + 1) % 3 + 1;
       ASSERT_EQ(s.commandCount, groups);
       for (uint32_t g = 0; g < groups; ++g) {

@@ -68,6 +68,45 @@ TEST_F(think_group, an_attacking_group_leans_along_its_heading) {
   EXPECT_NEAR(std::hypot(wish.x, wish.y), rules.enemies[kTexel].speed_mps, 1e-3f);
 }
 
+// On three ticks of four its own heading stands for the others'.
+TEST_F(think_group, an_attacking_group_asks_in_turns) {
+  for (uint32_t tick = 0; tick < 4; ++tick) {
+    SCOPED_TRACE(tick);
+    world = fixture.emptyWorld();
+    world.master.tick = kLateTick + tick;
+    enemy(0, kTexel, ship_x - 15.0f, ship_y, State::attacking).direction_x = -1.0f;
+    enemy(1, kTexel, ship_x - 15.0f, ship_y + 3.0f, State::attacking);  // heading +x
+    const float along = tick % 4 == 0 ? 1.0f : -1.0f;
+    const EntityRecord after = run().at(0);
+    EXPECT_NEAR(after.direction_x, 1.0f, 1e-5f);
+    world.entities[0].direction_x = 0.0f;
+    world.entities[0].direction_y = 1.0f;
+    const Float2 wish = wishOf(run().at(0), steering.response);
+    EXPECT_NEAR(wish.y / wish.x, along > 0.0f ? 0.0f : steering.attackAlignment, 1e-4f);
+  }
+}
+
+TEST_F(think_group, the_pace_makes_all_faster_but_a_dodge) {
+  world.master.pace = 1.5f;
+  enemy(0, 0, ship_x - 15.0f, ship_y, State::attacking);
+  enemy(1, kTexel, ship_x - 15.0f, ship_y + 10.0f, State::attacking);
+  enemy(2, kCompute, ship_x - 15.0f, ship_y + 20.0f, State::attacking);
+  enemy(3, kFragment, ship_x, ship_y + 30.0f, State::escaping).energy = 1.0f;
+  enemy(4, 0, 1.0f + ship_x, 2.0f, State::wandering);  // 52 m from the ship: out of a triangle's sight
+  enemy(5, kVertex, ship_x, ship_y - 15.0f, State::avoiding).timer = 5;
+  const auto after = run();
+  const auto speedOf = [&](uint32_t i, float response) {
+    const Float2 wish = wishOf(after[i], response);
+    return std::hypot(wish.x, wish.y);
+  };
+  EXPECT_NEAR(speedOf(0, steering.response), 1.5f * rules.enemies[0].speed_mps, 1e-3f);
+  EXPECT_NEAR(speedOf(1, steering.response), 1.5f * rules.enemies[kTexel].speed_mps, 1e-3f);
+  EXPECT_NEAR(speedOf(2, steering.response), 1.5f * rules.enemies[kCompute].speed_mps, 1e-3f);
+  EXPECT_NEAR(speedOf(3, steering.response), 1.5f * rules.enemies[kFragment].speed_mps * steering.escapeSpeed, 1e-3f);
+  EXPECT_NEAR(speedOf(4, steering.response), 1.5f * rules.enemies[0].speed_mps * steering.wanderSpeed, 1e-3f);
+  EXPECT_NEAR(speedOf(5, steering.avoidResponse), steering.avoid_mps, 1e-3f);
+}
+
 TEST_F(think_group, the_tricky_come_aslant_from_afar_and_straight_when_near) {
   enemy(0, kCompute, ship_x - 20.0f, ship_y, State::attacking);
   enemy(1, kFragment, ship_x - 20.0f, ship_y + 30.0f, State::attacking);

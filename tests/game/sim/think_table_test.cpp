@@ -19,7 +19,7 @@ TEST(think_table, all_machines_all_states_and_all_sets_of_conditions) {
   for (const Machine machine : kAllMachines) {
     for (uint32_t state = 0; state < kStates; ++state) {
       for (uint32_t set = 0; set < kSets; ++set) {
-        if (hasBit(set, kOwnKind) == hasBit(set, kAlone)) continue;  // one of the two always holds
+        if (hasBit(set, kOwnKind) && hasBit(set, kAlone)) continue;  // neither holds when it is not its turn to ask
         naive::Facts facts;
         facts.damaged = hasBit(set, kDamaged);
         facts.energyGone = hasBit(set, kEnergyGone);
@@ -30,6 +30,7 @@ TEST(think_table, all_machines_all_states_and_all_sets_of_conditions) {
         facts.seesShip = hasBit(set, kSeesShip);
         facts.lostShip = hasBit(set, kLostShip);
         facts.company = hasBit(set, kOwnKind);
+        facts.alone = hasBit(set, kAlone);
         if (facts.seesShip && facts.lostShip) continue;
         ASSERT_EQ(uint32_t(cpu::nextState(tableOf(machine), State(state), set)),
                   uint32_t(naive::nextMind(machine, naive::Mind(state), facts)))
@@ -88,11 +89,12 @@ void checkType(uint32_t type) {
   for (uint32_t state = 0; state < kStates; ++state) {
     for (const Place& place : kPlaces) {
       for (const Health& health : kHealths) {
-        for (uint32_t set = 0; set < 32; ++set) {
+        for (uint32_t set = 0; set < 64; ++set) {
           const bool hit = set & 1, kin = set & 2, shot = set & 4, cooling = set & 8, avoided = set & 16;
+          const bool turn = set & 32;
           if (avoided && State(state) != State::avoiding) continue;
           naive::World world = fixture.emptyWorld();
-          world.master.tick = kLateTick;
+          world.master.tick = turn ? kLateTick + 3 : kLateTick;  // with id 5
           EntityRecord e = enemyAt(fixture.rules(), 5, type, world.master.ship.x + place.sights * rules.sight_m,
                                    world.master.ship.y);
           e.state = state;
@@ -115,7 +117,9 @@ void checkType(uint32_t type) {
           facts.shotComing = shot && !cooling;
           facts.seesShip = place.sees;
           facts.lostShip = place.lost;
-          facts.company = kin;
+          const bool asks = turn || State(state) == State::attacking;
+          facts.company = asks && kin;
+          facts.alone = asks && !kin;
           const State wanted = State(naive::nextMind(rules.machine, naive::Mind(state), facts));
           const EntityRecord after = fixture.entities(true, false).at(0);
           const uint32_t event = fixture.events().at(5);

@@ -46,7 +46,7 @@ TEST_F(think, an_attacker_closes_the_gap_to_full_speed_at_the_ship) {
   world.add(e);
   const EntityRecord after = run().at(0);
   EXPECT_NEAR(after.force_x / e.mass * kTick_s, 0.08f * (0.0f - 2.0f), 1e-5f);
-  EXPECT_NEAR(after.force_y / e.mass * kTick_s, 0.08f * -10.5f, 1e-5f);
+  EXPECT_NEAR(after.force_y / e.mass * kTick_s, 0.08f * -rules.enemies[1].speed_mps, 1e-5f);
   EXPECT_EQ(after.direction_x, 0.0f);
   EXPECT_EQ(after.direction_y, -1.0f);
 }
@@ -56,7 +56,7 @@ TEST_F(think, a_damaged_attacker_is_a_quarter_faster) {
   e.state = uint32_t(State::attacking);
   e.energy -= 1.0f;
   world.add(e);
-  EXPECT_NEAR(run().at(0).force_x / e.mass * kTick_s, 0.08f * 1.25f * 10.5f, 1e-5f);
+  EXPECT_NEAR(run().at(0).force_x / e.mass * kTick_s, 0.08f * 1.25f * rules.enemies[1].speed_mps, 1e-5f);
 }
 
 TEST_F(think, a_wanderer_drifts_at_most_so_far_a_tick_at_its_share_of_the_speed) {
@@ -71,7 +71,7 @@ TEST_F(think, a_wanderer_drifts_at_most_so_far_a_tick_at_its_share_of_the_speed)
   for (const EntityRecord& e : run()) {
     EXPECT_EQ(e.state, uint32_t(State::wandering));
     const float wish = std::hypot(e.force_x, e.force_y) / e.mass * kTick_s / 0.08f;
-    EXPECT_NEAR(wish, 0.6f * 5.0f, 1e-4f);
+    EXPECT_NEAR(wish, 0.6f * rules.enemies[hexagon].speed_mps, 1e-4f);
     const float drift = std::fabs(std::atan2(-e.direction_x, e.direction_y));
     EXPECT_LE(drift, 0.12f + 1e-6f);
     most = std::max(most, drift);
