@@ -169,7 +169,7 @@ std::string balanceSummary(const std::string& title, const Rules& rules, std::ve
   });
   out << "\n- Still alive at the cap: " << with([](const BalanceRun& r) { return r.capped; }) << ".\n"
       << "- Idle: " << format("%.1f", 100 * idle / watched) << " % of the first " << kWatched_ticks / kTicksPerSecond
-      << " s of all runs (fewer than " << rules.idle.fewerThan << " in view and none coming).\n"
+      << " s of all runs (fewer than " << rules.idle.fewerThan << " in view, and as few coming).\n"
       << "- Droughts in that time, from " << kFirstKill_ticks / kTicksPerSecond << " s on: the worst "
       << format("%.1f", seconds(worst->drought_ticks)) << " s (seed " << worst->seed << "); over "
       << kLongDrought_ticks / kTicksPerSecond << " s in "

@@ -48,8 +48,8 @@ struct Waves {
     const Rules& r = tables.rules;
     const uint32_t next_ticks =
         m.wave < r.waveCount ? r.waves[m.wave].at_ticks : r.endless.from_ticks + m.endless * r.endless.every_ticks;
-    // Nobody waits: an empty field brings the next wave early, and pays for the time saved.
-    const bool quiet = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming == 0;
+    // Nobody waits: a field nearly empty brings the next wave early, and pays for the time saved.
+    const bool quiet = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming < r.idle.fewerThan;
     m.idle_ticks = quiet ? m.idle_ticks + 1 : 0;
     if (m.idle_ticks >= r.idle.wait_ticks && next_ticks > m.waveClock_ticks) {
       const uint32_t saved_ticks = (next_ticks - m.waveClock_ticks) / rate;

@@ -227,7 +227,7 @@ void bringWaves(World& world, const Totals& last) {
   uint32_t room = roomFor(world, last);
   const bool scripted = m.wave < r.waveCount;
   const uint32_t due = scripted ? r.waves[m.wave].at_ticks : r.endless.from_ticks + m.endless * r.endless.every_ticks;
-  const bool idle = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming == 0;
+  const bool idle = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming < r.idle.fewerThan;
   m.idle_ticks = idle ? m.idle_ticks + 1 : 0;
   if (m.idle_ticks >= r.idle.wait_ticks && m.waveClock_ticks < due) {
     const uint32_t saved_ticks = (due - m.waveClock_ticks) / rate;

@@ -99,38 +99,40 @@ TEST_F(waves, endless_ones_follow_with_growing_points) {
   EXPECT_GE(patterns.size(), 5u);
 }
 
-TEST_F(waves, an_empty_field_brings_the_next_one_in_a_second_and_pays) {
+TEST_F(waves, a_field_nearly_empty_brings_the_next_one_soon_and_pays) {
   m.wave = 3;
   m.waveClock_ticks = rules.waves[3].at_ticks - 300;
   m.tick = 500;
   m.multiplierTenths = 37;
   m.totals = {};
-  m.totals.inView = 7;  // fewer than eight, none coming
-  for (uint32_t tick = 1; tick < 60; ++tick) {
-    m.totals.inView = 7;
+  const auto few = [&] { m.totals.inView = m.totals.coming = 7; };  // fewer than eight
+  few();
+  for (uint32_t tick = 1; tick < rules.idle.wait_ticks; ++tick) {
+    few();
     run();
     ASSERT_EQ(s.waveSounds, 0u) << tick;
   }
-  m.totals.inView = 7;
+  few();
   run();
   EXPECT_EQ(s.waveSounds, 1u);
   EXPECT_EQ(m.wave, 4u);
-  EXPECT_EQ(m.score, 50u * 37 * (300 - 59) / 600);  // 50 x multiplier per second saved
+  EXPECT_EQ(m.score, 50u * 37 * (300 - (rules.idle.wait_ticks - 1)) / 600);  // 50 x multiplier per second saved
   EXPECT_EQ(m.idle_ticks, 0u);
 }
 
-TEST_F(waves, whoever_is_coming_or_in_view_resets_the_wait) {
+TEST_F(waves, enough_that_come_or_are_in_view_reset_the_wait) {
   m.wave = 3;
   m.waveClock_ticks = rules.waves[3].at_ticks - 400;
   m.tick = 500;
+  ASSERT_GT(rules.idle.wait_ticks, 25u);
   for (uint32_t tick = 0; tick < 390; ++tick) {
-    m.totals.inView = tick % 50 == 30 ? 8 : 0;
-    m.totals.coming = tick % 50 == 0 ? 1 : 0;
+    m.totals.inView = tick % 50 == 25 ? 8 : 0;
+    m.totals.coming = tick % 50 == 0 ? 8 : 0;
     run();
     ASSERT_EQ(s.waveSounds, 0u) << tick;
-    ASSERT_EQ(m.idle_ticks, m.totals.occupied[0] + (tick % 50 == 0 || tick % 50 == 30 ? 0u
-                                                    : tick % 50 < 30                  ? tick % 50
-                                                                                      : tick % 50 - 30));
+    ASSERT_EQ(m.idle_ticks, m.totals.occupied[0] + (tick % 50 == 0 || tick % 50 == 25 ? 0u
+                                                    : tick % 50 < 25                  ? tick % 50
+                                                                                      : tick % 50 - 25));
   }
   EXPECT_EQ(m.score, 0u);
 }
@@ -159,7 +161,7 @@ TEST_F(waves, are_the_naive_version_over_ten_minutes_of_chance) {
   for (uint32_t tick = 0; tick < 36000 && !world.master.over; ++tick) {
     Totals& t = world.master.totals;
     t.inView = dice.below(4000) < 3 ? 0 : dice.below(40);
-    t.coming = dice.below(3);
+    t.coming = dice.below(4000) < 3 ? 9 : dice.below(9);
     t.occupied[0] = dice.below(8300);
     t.occupied[kTypeShot] = dice.below(1100);
     t.dying = t.occupied[0] / 50;
