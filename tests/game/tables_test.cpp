@@ -33,7 +33,7 @@ TEST(Tables, HoldTheBudget) {
   EXPECT_EQ(budget.start_us, 16667u);
   EXPECT_EQ(budget.limit_us, 83333u);
   EXPECT_EQ(budget.bitReturns_us, 40u);
-  EXPECT_EQ(budget.bankFill_us, 5u);
+  EXPECT_EQ(budget.bankFill_us, 6u);
   EXPECT_EQ(budget.bankMax_us, 600u);
   EXPECT_EQ(budget.hitStop_ms, 66u);
 }
