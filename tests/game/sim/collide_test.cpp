@@ -7,7 +7,7 @@
 namespace gw::test {
 namespace {
 
-constexpr uint32_t kTriangle = 0, kQuad = 1, kHexagon = 2, kFragment = 5;
+constexpr uint32_t kTriangle = 0, kQuad = 1, kHexagon = 2;
 
 class collide : public ::testing::Test {
  protected:
@@ -180,13 +180,13 @@ TEST_F(collide, the_announced_the_dead_and_the_dying_are_not_hit) {
 
 TEST_F(collide, the_costliest_touches_then_the_lowest_id) {
   const float ship_x = world.master.ship.x, ship_y = world.master.ship.y;
+  enemy(1, kHexagon, ship_x + 1.9f, ship_y);  // 0.25 m too far
   enemy(2, kTriangle, ship_x + 0.5f, ship_y);
-  enemy(5, kFragment, ship_x - 0.5f, ship_y);
-  enemy(7, kFragment, ship_x, ship_y + 0.5f);
-  enemy(8, kHexagon, ship_x + 1.9f, ship_y);  // 0.25 m too far
+  enemy(5, kHexagon, ship_x - 1.5f, ship_y);
+  enemy(7, kHexagon, ship_x, ship_y + 1.5f);
   run();
-  EXPECT_EQ(contact >> 32, rules.enemies[kFragment].contact_us);
-  ASSERT_GT(rules.enemies[kFragment].contact_us, rules.enemies[kTriangle].contact_us);
+  EXPECT_EQ(contact >> 32, rules.enemies[kHexagon].contact_us);
+  ASSERT_GT(rules.enemies[kHexagon].contact_us, rules.enemies[kTriangle].contact_us);
   EXPECT_EQ(~uint32_t(contact), 5u);
   world.master.ship.untouchable_ticks = 1;
   run();
