@@ -34,8 +34,8 @@ struct RowGather {
     return (*this)(x, y, radius, visit);
   }
 
-  // The same, but only what stands in a cell after `index`, where (x, y) itself stands: over all cells each
-  // pair is found once, from one side, for half the tests.
+  // The same, but only what stands in a cell after `index`: over all cells each pair is found once, from one side,
+  // for half the tests. (x, y) is the asker's place, in its cell or elsewhere: where it will be, say.
   template <class Visitor>
   GW_MEMBER uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
     const uint32_t row = index / grid.columns;

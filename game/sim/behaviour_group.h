@@ -19,7 +19,7 @@ GW_FN Wish flyInGroup(const Self& self, const Company& company, const Rules::Ste
   return along(way, self.speed_mps * steering.wanderSpeed);
 }
 
-// Until it asks again, and when it is alone in its group.
+// Until it asks again.
 GW_FN Wish flyOn(const Self& self, const Rules::Steering& steering) {
   return along({self.direction_x, self.direction_y}, self.speed_mps * steering.wanderSpeed);
 }

@@ -11,9 +11,9 @@
 // gather misses some, and need not be symmetric: a shot whose victim does not see it flies on unhindered.
 #include "game/sim/entity_flags.h"
 #include "game/sim/overlap.h"
+#include "game/sim/pushes.h"
 #include "game/sim/stages.h"
 #include "game/sim/sweep.h"
-#include "gpu/fixed_sum.h"
 
 namespace gw::GW_DEVICE {
 namespace {
@@ -163,24 +163,6 @@ struct Suffer {
                   (ship.y - ship.previous_y) - (to.y - from.y), r.ship.radius_m, rules);
     if (t <= 1.0f) atomicRaiseTo(v.master->totals.contact, uint64_t(rules.contact_us) << 32 | (~from.id & 0xFFFFFFFFu));
   }
-};
-
-// What pushes one body: their sum, and the sum of their lengths (|x| + |y|), which is longer the more of them cancel.
-struct Pushes {
-  FixedSum2 sum;
-  int64_t lengths = 0;
-
-  GW_BODY void add(float x_mps, float y_mps) {
-    const int64_t x = fixedTerm(x_mps, kPushScale), y = fixedTerm(y_mps, kPushScale);
-    sum.x += x;
-    sum.y += y;
-    lengths += magnitude64(x) + magnitude64(y);
-  }
-  // How hard it is pressed: what of the pushes cancels (m/s).
-  GW_BODY float pressed_mps() const { return float(lengths - magnitude64(sum.x) - magnitude64(sum.y)) / kPushScale; }
-
- private:
-  GW_BODY static int64_t magnitude64(int64_t x) { return x < 0 ? -x : x; }
 };
 
 // One item: one cell; works for enemies. Overlapping bodies are pushed apart: each pair shares its depth by

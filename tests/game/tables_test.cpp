@@ -105,7 +105,7 @@ TEST(Tables, HoldTheEnemyTypes) {
   EXPECT_EQ(quad.bounds, Bounds::rectangle);
   EXPECT_EQ(quad.halfWidth_m, 0.55f);
   EXPECT_EQ(quad.halfHeight_m, 0.55f);
-  EXPECT_GT(quad.speed_mps, triangle.speed_mps);  // by how much is a question of balance
+  EXPECT_EQ(quad.speed_mps, 9.5f);
   EXPECT_EQ(quad.sight_m, 24.0f);
   EXPECT_EQ(quad.shape, Shape::square);
 
@@ -180,7 +180,9 @@ TEST(Tables, HoldALivelyTimetable) {
 TEST(Tables, HoldTheEndlessWaves) {
   const Rules::Endless endless = loadRules(assets()).endless;
   EXPECT_EQ(endless.from_ticks, 180u * kTicksPerSecond);
-  EXPECT_EQ(endless.every_ticks % kTicksPerSecond, 0u);
+  EXPECT_EQ(endless.every_ticks, 13u * kTicksPerSecond);
+  EXPECT_EQ(endless.paceGrowth, 1.035f);
+  EXPECT_EQ(endless.paceMost, 2.0f);
   EXPECT_GE(endless.points, 100.0f);  // how many is a question of balance...
   EXPECT_GT(endless.growth, 1.0f);    // ...that it grows is not
   EXPECT_EQ(endless.price[2], 8.0f);

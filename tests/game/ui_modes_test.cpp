@@ -105,6 +105,23 @@ TEST(ModeHudTest, DeadlineShowsTheClockAndItsLastSecondsInRed) {
   EXPECT_EQ(early.outside(), "");
 }
 
+TEST(ModeHudTest, TheOverclockIsShownOnceItRises) {
+  TickReport report = reportAt(600);
+  for (const Mode mode : {Mode::arcade, Mode::deadline}) {
+    HudFrame frame;
+    frame.mode = mode;
+    RememberingCanvas before, later;
+    report.pace = 1.0f;
+    drawHud(before, after(report), someRules(), frame);
+    EXPECT_FALSE(before.says("OVERCLOCK"));
+    report.pace = 1.035f;
+    drawHud(later, after(report), someRules(), frame);
+    EXPECT_TRUE(later.says("OVERCLOCK"));
+    EXPECT_NE(find(later, "x1.03"), nullptr);
+    EXPECT_EQ(later.outside(), "");
+  }
+}
+
 TEST(ModeHudTest, AContactInDeadlineSaysSeconds) {
   TickReport hit = reportAt(100);
   hit.contactType = 2;

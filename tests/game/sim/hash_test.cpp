@@ -132,6 +132,7 @@ TEST_F(hash, the_report_repeats_the_master_and_the_totals) {
   m.ship.aim_rad = 1.5f;
   m.wave = 19;
   m.endless = 4;
+  m.pace = 1.25f;
   m.refused = 6;
   m.bitsTaken = 8;
   m.contacts = 3;
@@ -158,6 +159,7 @@ TEST_F(hash, the_report_repeats_the_master_and_the_totals) {
   EXPECT_EQ(r.untouchable_ticks, 44u);
   EXPECT_EQ(r.aim_rad, 1.5f);
   EXPECT_EQ(r.wave, 23u);
+  EXPECT_EQ(r.pace, 1.25f);
   EXPECT_EQ(r.enemies, 29u);
   EXPECT_EQ(r.shots, 11u);
   EXPECT_EQ(r.bits, 12u);
