@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     return int(runVerb(parsed.options));
   } catch (const UserError& error) {
     return fail(error.code, error.what());
-  } catch (const ReplayError& error) {
+  } catch (const FileError& error) {
     return fail(ExitCode::badFile, error.what());
   } catch (const TableError& error) {
     return fail(ExitCode::badFile, error.what());

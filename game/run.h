@@ -29,7 +29,7 @@ class Run {
   uint32_t queued() const { return queued_; }
 
   // Writes the recording, if there is one and a tick was played; once. At the end of the run this has
-  // been done already, so that nothing that happens later can lose it. Throws ReplayError.
+  // been done already, so that nothing that happens later can lose it. Throws FileError.
   void finishRecording();
   bool recorded() const { return recorded_; }  // a file was written
 

@@ -1,5 +1,5 @@
 // The verbs. Each runs a parsed command line to its end and returns the exit code; what a user can mend
-// is thrown as UserError, ReplayError or TableError, one sentence each.
+// is thrown as UserError, FileError or TableError, one sentence each.
 #pragma once
 
 #include "game/command_line.h"

@@ -1,10 +1,9 @@
 #include "game/commands/json_output.h"
 
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "game/user_error.h"
+#include "game/files/atomic_file.h"
 
 namespace gw {
 
@@ -15,11 +14,7 @@ void writeJson(const std::filesystem::path& path, const nlohmann::ordered_json& 
     std::cout << text << std::flush;
     return;
   }
-  std::ofstream file(path, std::ios::binary);
-  file << text << std::flush;
-  if (!file) {
-    throw UserError(ExitCode::badFile, "Cannot write " + path.string() + ": choose another place with --json.");
-  }
+  writeFileAtomically(path, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
 }  // namespace gw

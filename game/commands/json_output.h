@@ -6,7 +6,7 @@
 
 namespace gw {
 
-// "-" is stdout. Throws UserError when the file cannot be written.
+// "-" is stdout. Throws FileError when the file cannot be written; what stood there is then untouched.
 void writeJson(const std::filesystem::path& path, const nlohmann::ordered_json& json);
 
 }  // namespace gw

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "game/asset_folder.h"
-#include "game/replay/atomic_file.h"
+#include "game/files/atomic_file.h"
 
 namespace gw {
 

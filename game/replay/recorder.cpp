@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "game/replay/atomic_file.h"
+#include "game/files/atomic_file.h"
 #include "game/replay/replay_writer.h"
 
 namespace gw {

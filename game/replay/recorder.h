@@ -11,14 +11,14 @@ namespace gw {
 class Recorder {
  public:
   // Checks at once that a file can be written at `path`, so that a run does not fail at its end. Throws
-  // ReplayError. Nothing is left there until finish().
+  // FileError. Nothing is left there until finish().
   Recorder(std::filesystem::path path, ReplayHeader header, RuleTexts rules);
 
   // The next tick's input, as used, and the hash after it. False, and nothing recorded, after kMaxTicks:
   // finish then with the report of the last recorded tick. Never allocates.
   bool append(const InputRecord& input, uint64_t hash);
 
-  // Writes the file. Throws ReplayError when that fails or no tick was recorded; what stood at the path
+  // Writes the file. Throws FileError when that fails or no tick was recorded; what stood at the path
   // is then untouched. Once finished or abandoned it throws std::logic_error.
   void finish(const FinalReport& result);
 

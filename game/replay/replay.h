@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "game/files/atomic_file.h"
 #include "game/input/input_record.h"
 #include "game/replay/format.h"
 #include "game/sim/simulation.h"
@@ -13,9 +14,9 @@
 
 namespace gw {
 
-// One sentence: the file, what is wrong with it, and what to do about it.
-struct ReplayError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+// What is wrong in a replay.
+struct ReplayError : FileError {
+  using FileError::FileError;
 };
 
 // What is known before the first tick.

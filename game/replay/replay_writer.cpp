@@ -6,7 +6,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "game/replay/atomic_file.h"
+#include "game/files/atomic_file.h"
 #include "game/replay/byte_order.h"
 #include "game/replay/checksum.h"
 

@@ -13,7 +13,7 @@ namespace gw {
 // no reader would take (no tick, inputs and hashes of different counts, a number out of its range).
 std::vector<uint8_t> encodeReplay(const Replay& replay);
 
-// Throws ReplayError when it cannot be written; a file that stood at `path` is then untouched.
+// Throws FileError when it cannot be written; a file that stood at `path` is then untouched.
 void writeReplay(const std::filesystem::path& path, const Replay& replay);
 
 }  // namespace gw

@@ -6,8 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "game/replay/atomic_file.h"
-#include "game/replay/replay.h"
+#include "game/files/atomic_file.h"
 
 namespace gw {
 
@@ -82,7 +81,7 @@ void SettingsFile::write(const Settings& settings, std::vector<std::string>& sen
     }
     const std::string text = writeSettings(settings, unknown_);
     writeFileAtomically(path_, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
-  } catch (const ReplayError& error) {
+  } catch (const FileError& error) {
     failed(error.what());
   } catch (const fs::filesystem_error& error) {
     failed(fmt::format("{} cannot be written: {}; choose another place with --settings FILE", path_.string(),

@@ -50,7 +50,7 @@ class ReplayFiles : public ::testing::Test {
     try {
       action();
       return "";
-    } catch (const ReplayError& error) {
+    } catch (const FileError& error) {
       return error.what();
     }
   }

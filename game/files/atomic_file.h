@@ -4,10 +4,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <stdexcept>
 
 namespace gw {
 
-// Both throw ReplayError with one sentence.
+// One sentence: the file, what is wrong with it, and what to do about it.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Both throw FileError.
 
 // Checks that a file could be written at `path` by making the temporary file and removing it again.
 void checkWritable(const std::filesystem::path& path);

@@ -1,4 +1,4 @@
-#include "game/replay/atomic_file.h"
+#include "game/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,15 +9,13 @@
 #include <cstring>
 #include <string>
 
-#include "game/replay/replay.h"
-
 namespace gw {
 namespace {
 
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw ReplayError(fmt::format("{} cannot be written: {}", path.string(), why));
+  throw FileError(fmt::format("{} cannot be written: {}", path.string(), why));
 }
 
 std::string because(int error, const char* remedy) {
@@ -27,7 +25,7 @@ std::string because(int error, const char* remedy) {
 // Where the bytes really go: a link is followed, so that it goes on pointing at the file.
 fs::path destination(const fs::path& path) {
   std::error_code error;
-  if (path.empty()) refuse("the replay", "its name is empty; give a file name");
+  if (path.empty()) refuse("the file", "its name is empty; give a file name");
   const bool link = fs::is_symlink(fs::symlink_status(path, error));
   const fs::path target = link ? fs::weakly_canonical(path, error) : path;
   if (link && error) refuse(path, because(error.value(), "choose another name"));
