@@ -2,45 +2,50 @@
 // result that depends on the order of visits shows at once.
 #pragma once
 
+#include <type_traits>
+
 #include "gpu/neighbour.h"
 #include "gpu/plain_types.h"
 
 namespace gw::GW_DEVICE {
 
+template <class CellT>
 struct BruteForce {
-  const Cell* cells;
+  const CellT* cells;
   uint32_t count;
 
   // As RowGather::operator(); O(count) per query. Dead cells are passed over and not counted.
   template <class Visitor>
-  GW_MEMBER uint32_t operator()(float x, float y, float radius, Visitor&& visit) const {
-    return visitFrom(0, x, y, radius, visit);
+  GW_MEMBER uint32_t operator()(PlaceOf<CellT> at, float radius, Visitor&& visit) const {
+    return visitFrom(0, at, radius, visit);
   }
 
   // As RowGather::around().
   template <class Visitor>
-  GW_MEMBER uint32_t around(uint32_t, float x, float y, float radius, Visitor&& visit) const {
-    return visitFrom(0, x, y, radius, visit);
+  GW_MEMBER uint32_t around(uint32_t, PlaceOf<CellT> at, float radius, Visitor&& visit) const {
+    return visitFrom(0, at, radius, visit);
   }
 
   // As RowGather::after().
   template <class Visitor>
-  GW_MEMBER uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
-    return visitFrom(index + 1, x, y, radius, visit);
+  GW_MEMBER uint32_t after(uint32_t index, PlaceOf<CellT> at, float radius, Visitor&& visit) const {
+    return visitFrom(index + 1, at, radius, visit);
   }
 
  private:
   template <class Visitor>
-  GW_MEMBER uint32_t visitFrom(uint32_t begin, float x, float y, float radius, Visitor&& visit) const {
+  GW_MEMBER uint32_t visitFrom(uint32_t begin, PlaceOf<CellT> at, float radius, Visitor&& visit) const {
     uint32_t tested = 0;
     for (uint32_t i = count; i-- > begin;) {
       if (!isLiving(cells[i].x)) continue;
-      const float dx = cells[i].x - x, dy = cells[i].y - y;
       ++tested;
-      if (isNeighbour(dx, dy, radius)) visit(cells[i], i, dx, dy);
+      const PlaceOf<CellT> away = placeOf(cells[i]) - at;
+      if (isNeighbour(away, radius)) visit(cells[i], i, away);
     }
     return tested;
   }
 };
+template <class CellT>
+BruteForce(CellT*, uint32_t) -> BruteForce<std::remove_const_t<CellT>>;
 
 }  // namespace gw::GW_DEVICE

@@ -10,7 +10,7 @@ namespace gw::GW_DEVICE {
 
 // Units per physical unit, each a power of two, so that scaling is exact. What a term can reach before it
 // is clamped is 2^30 / scale.
-inline constexpr float kPushScale = 1048576.0f;  // 2^20 per m/s: clamps at 1024 m/s, resolves 1e-6 m/s
+inline constexpr float kPushScale = 1048576.0f;   // 2^20 per m/s: clamps at 1024 m/s, resolves 1e-6 m/s
 inline constexpr float kSteerScale = 1048576.0f;  // 2^20 per m, or per unit vector: clamps at 1024, resolves 1e-6
 
 GW_FN int32_t fixedTerm(float value, float scale) {

@@ -3,12 +3,44 @@
 #pragma once
 
 #include "gpu/bits.h"
+#include "gpu/plain_types.h"
 
 namespace gw::GW_DEVICE {
 
-GW_FN bool isNeighbour(float dx, float dy, float radius) {
+GW_FN Float2 placeOf(const Cell& cell) {
+  return {cell.x, cell.y};
+}
+
+GW_FN Float3 placeOf(const Cell3& cell) {
+  return {cell.x, cell.y, cell.z};
+}
+
+template <class CellT>
+using PlaceOf = decltype(placeOf(CellT{}));  // Float2 or Float3
+
+GW_FN Float2 operator-(Float2 a, Float2 b) {
+  return {a.x - b.x, a.y - b.y};
+}
+GW_FN Float3 operator-(Float3 a, Float3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+// Two dimensions are three of one layer.
+GW_FN float heightOf(Float2) {
+  return 0.0f;
+}
+GW_FN float heightOf(Float3 place) {
+  return place.z;
+}
+
+GW_FN bool isNeighbour(Float2 away, float radius) {
   // The most selective test stands first; the other two matter only where squares are rounded.
-  return dx * dx + dy * dy <= radius * radius && magnitude(dx) <= radius && magnitude(dy) <= radius;
+  return away.x * away.x + away.y * away.y <= radius * radius && magnitude(away.x) <= radius &&
+         magnitude(away.y) <= radius;
+}
+GW_FN bool isNeighbour(Float3 away, float radius) {
+  return away.x * away.x + away.y * away.y + away.z * away.z <= radius * radius && magnitude(away.x) <= radius &&
+         magnitude(away.y) <= radius && magnitude(away.z) <= radius;
 }
 
 // A dead cell sits at +infinity.

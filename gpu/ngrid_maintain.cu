@@ -217,7 +217,7 @@ void NGrid::settle(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
 void NGrid::rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
   const Count all{dimensions_.cells()};
   forEach(queue, all, MakeKeys{byY_.keys(), d_cells});
-  byY_.run(queue);
+  byY_.run(queue, 32);
   forEach(queue, all, CopyCells{scratch_.data(), d_cells});
   forEach(queue, all, TakeByKeys{d_cells, scratch_.data(), byY_.keys()});
   sortRows(queue, d_cells, d_cellOf, nullptr);

@@ -9,6 +9,10 @@ struct alignas(8) Float2 {
   float x, y;
 };
 
+struct Float3 {
+  float x, y, z;
+};
+
 struct alignas(16) Float4 {
   float x, y, z, w;
 };
@@ -23,6 +27,12 @@ struct alignas(16) Cell {
   float x, y;
   uint32_t id;
   uint32_t type;
+};
+
+// The same in three dimensions, without the tag.
+struct alignas(16) Cell3 {
+  float x, y, z;
+  uint32_t id;
 };
 
 }  // namespace gw

@@ -19,54 +19,53 @@ namespace gw::GW_DEVICE {
 struct RowGather {
   NGridView grid;
 
-  // Calls visit(cell, index, dx, dy) for each living neighbour of (x, y) within radius, dx = cell.x - x;
-  // the entity at (x, y) itself is among them. Returns how many pair tests that took. The order of visits
-  // is that of the cells and must not matter. radius in (0, infinity), x and y finite.
+  // Calls visit(cell, index, away) for each living neighbour of the place `at` within radius, away from it by
+  // `away`; an entity that stands there itself is among them. Returns how many pair tests that took. The order
+  // of visits is that of the cells and must not matter. radius in (0, infinity), `at` finite.
   template <class Visitor>
-  GW_MEMBER uint32_t operator()(float x, float y, float radius, Visitor&& visit) const {
-    return visitRows(firstRow(y, radius), x, y, radius, visit);
+  GW_MEMBER uint32_t operator()(Float2 at, float radius, Visitor&& visit) const {
+    return visitRows(firstRow(at.y, radius), at, radius, visit);
   }
 
   // The same for an asker that stands in the grid itself, in cell `index`: what windowed searches start from
   // (window_gather.h). An exact one finds the same set wherever it starts.
   template <class Visitor>
-  GW_MEMBER uint32_t around(uint32_t, float x, float y, float radius, Visitor&& visit) const {
-    return (*this)(x, y, radius, visit);
+  GW_MEMBER uint32_t around(uint32_t, Float2 at, float radius, Visitor&& visit) const {
+    return (*this)(at, radius, visit);
   }
 
   // The same, but only what stands in a cell after `index`: over all cells each pair is found once, from one side,
-  // for half the tests. (x, y) is the asker's place, in its cell or elsewhere: where it will be, say.
+  // for half the tests. `at` is the asker's place, in its cell or elsewhere: where it will be, say.
   template <class Visitor>
-  GW_MEMBER uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
+  GW_MEMBER uint32_t after(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
     const uint32_t row = index / grid.columns;
-    const uint32_t tested = visitSpan(row, index % grid.columns + 1, x, y, radius, visit);
-    return tested + visitRows(larger(row + 1, firstRow(y, radius)), x, y, radius, visit);
+    const uint32_t tested = visitSpan(row, index % grid.columns + 1, at, radius, visit);
+    return tested + visitRows(larger(row + 1, firstRow(at.y, radius)), at, radius, visit);
   }
 
  private:
   template <class Visitor>
-  GW_MEMBER uint32_t visitRows(uint32_t begin, float x, float y, float radius, Visitor&& visit) const {
+  GW_MEMBER uint32_t visitRows(uint32_t begin, Float2 at, float radius, Visitor&& visit) const {
     uint32_t tested = 0;
-    const uint32_t end = endRow(y, radius);
+    const uint32_t end = endRow(at.y, radius);
     for (uint32_t row = begin; row < end; ++row) {
-      if (grid.low[row] - y > radius || y - grid.high[row] > radius) continue;
+      if (grid.low[row] - at.y > radius || at.y - grid.high[row] > radius) continue;
       const Cell* line = grid.cells + row * grid.columns;
-      tested += visitSpan(row, firstColumn(line, grid.living[row], x, radius), x, y, radius, visit);
+      tested += visitSpan(row, firstColumn(line, grid.living[row], at.x, radius), at, radius, visit);
     }
     return tested;
   }
 
   // The columns of one row from `begin` on, until x has left the radius.
   template <class Visitor>
-  GW_MEMBER uint32_t visitSpan(uint32_t row, uint32_t begin, float x, float y, float radius, Visitor&& visit) const {
+  GW_MEMBER uint32_t visitSpan(uint32_t row, uint32_t begin, Float2 at, float radius, Visitor&& visit) const {
     const Cell* line = grid.cells + row * grid.columns;
     const uint32_t living = grid.living[row];
     uint32_t tested = 0;
     for (uint32_t c = begin; c < living; ++c, ++tested) {
-      const float dx = line[c].x - x;
-      if (dx > radius) break;
-      const float dy = line[c].y - y;
-      if (isNeighbour(dx, dy, radius)) visit(line[c], row * grid.columns + c, dx, dy);
+      const Float2 away = placeOf(line[c]) - at;
+      if (away.x > radius) break;
+      if (isNeighbour(away, radius)) visit(line[c], row * grid.columns + c, away);
     }
     return tested;
   }

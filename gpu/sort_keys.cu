@@ -2,8 +2,6 @@
 
 #if GW_ON_CUDA
 #include <cub/device/device_radix_sort.cuh>
-#else
-#include <algorithm>
 #endif
 
 namespace gw::GW_DEVICE {
@@ -17,21 +15,53 @@ SortKeys::SortKeys(Queue& queue, uint32_t count) : count_(count), keys_(queue, c
   scratch_ = Buffer<unsigned char>(queue, bytes);
 }
 
-void SortKeys::run(Queue& queue) {
+void SortKeys::run(Queue& queue, uint32_t firstBit, uint32_t endBit) {
   size_t bytes = scratch_.size();
-  check(cub::DeviceRadixSort::SortKeys(scratch_.data(), bytes, keys_.data(), sorted_.data(), int(count_), 0, 64,
-                                       queue.stream),
+  check(cub::DeviceRadixSort::SortKeys(scratch_.data(), bytes, keys_.data(), sorted_.data(), int(count_), int(firstBit),
+                                       int(endBit), queue.stream),
         "the radix sort");
   copyBytes(queue, keys_.data(), sorted_.data(), count_ * sizeof(uint64_t), Copy::onDevice);
 }
 
+size_t SortKeys::bytes() const {
+  return 2 * count_ * sizeof(uint64_t) + scratch_.size();
+}
+
 #else
 
-SortKeys::SortKeys(Queue& queue, uint32_t count) : count_(count), keys_(queue, count) {}
+namespace {
 
-void SortKeys::run(Queue& queue) {
-  GuardedMemory::Access access(queue.memory);
-  std::sort(keys_.data(), keys_.data() + count_);
+constexpr uint32_t kDigitBits = 11;
+
+struct DigitOfKey {
+  const uint64_t* keys;
+  uint32_t shift, mask;
+  uint32_t operator()(uint32_t i) const { return uint32_t(keys[i] >> shift) & mask; }
+};
+
+struct MoveKey {
+  uint64_t* sorted;
+  const uint64_t* keys;
+  void operator()(uint32_t from, uint32_t to) const { sorted[to] = keys[from]; }
+};
+
+}  // namespace
+
+SortKeys::SortKeys(Queue& queue, uint32_t count)
+    : count_(count), keys_(queue, count), sorted_(queue, count), digits_(queue, count, 1u << kDigitBits) {}
+
+void SortKeys::run(Queue& queue, uint32_t firstBit, uint32_t endBit) {
+  uint64_t *from = keys_.data(), *to = sorted_.data();
+  for (uint32_t bit = firstBit; bit < endBit; bit += kDigitBits) {
+    const uint32_t bits = smaller(kDigitBits, endBit - bit);
+    digits_.run(queue, DigitOfKey{from, bit, (1u << bits) - 1}, MoveKey{to, from});
+    std::swap(from, to);
+  }
+  if (from != keys_.data()) copyBytes(queue, keys_.data(), from, count_ * sizeof(uint64_t), Copy::onDevice);
+}
+
+size_t SortKeys::bytes() const {
+  return 2 * count_ * sizeof(uint64_t) + digits_.bytes();
 }
 
 #endif

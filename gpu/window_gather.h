@@ -28,20 +28,20 @@ struct Window {
   uint32_t firstColumn, lastColumn, firstRow, lastRow;
 };
 
-// Visits the neighbours of (x, y) in the window that stand in cell `begin` or later; returns pair tests. The
+// Visits the neighbours of `at` in the window that stand in cell `begin` or later; returns pair tests. The
 // dead are passed over and not counted.
 template <class Visitor>
-GW_MEMBER uint32_t visitWindow(const NGridView& grid, const Window& window, uint32_t begin, float x, float y,
-                               float radius, Visitor&& visit) {
+GW_MEMBER uint32_t visitWindow(const NGridView& grid, const Window& window, uint32_t begin, Float2 at, float radius,
+                               Visitor&& visit) {
   uint32_t tested = 0;
   for (uint32_t row = window.firstRow; row <= window.lastRow; ++row) {
     const uint32_t end = row * grid.columns + window.lastColumn + 1;
     for (uint32_t i = larger(begin, row * grid.columns + window.firstColumn); i < end; ++i) {
       const Cell cell = grid.cells[i];
       if (!isLiving(cell.x)) continue;
-      const float dx = cell.x - x, dy = cell.y - y;
+      const Float2 away = placeOf(cell) - at;
       ++tested;
-      if (isNeighbour(dx, dy, radius)) visit(cell, i, dx, dy);
+      if (isNeighbour(away, radius)) visit(cell, i, away);
     }
   }
   return tested;
@@ -54,17 +54,17 @@ struct FixedGather {
   NGridView grid;
   uint32_t nRadius = 4;  // the thesis's
 
-  // Calls visit(cell, index, dx, dy) for each neighbour found of (x, y), the place of the asker in cell
+  // Calls visit(cell, index, away) for each neighbour found of `at`, the place of the asker in cell
   // `index`, itself included. Returns pair tests. The order of visits must not matter. radius in (0, infinity).
   template <class Visitor>
-  GW_MEMBER uint32_t around(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
-    return visitWindow(grid, windowOf(index), 0, x, y, radius, visit);
+  GW_MEMBER uint32_t around(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
+    return visitWindow(grid, windowOf(index), 0, at, radius, visit);
   }
 
   // The same, but only what stands in a later cell.
   template <class Visitor>
-  GW_MEMBER uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
-    return visitWindow(grid, windowOf(index), index + 1, x, y, radius, visit);
+  GW_MEMBER uint32_t after(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
+    return visitWindow(grid, windowOf(index), index + 1, at, radius, visit);
   }
 
  private:
@@ -85,25 +85,25 @@ struct AdaptiveGather {
 
   // As FixedGather.
   template <class Visitor>
-  GW_MEMBER uint32_t around(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
-    return visitWindow(grid, windowOf(index, x, y, radius), 0, x, y, radius, visit);
+  GW_MEMBER uint32_t around(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
+    return visitWindow(grid, windowOf(index, at, radius), 0, at, radius, visit);
   }
 
   template <class Visitor>
-  GW_MEMBER uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
-    return visitWindow(grid, windowOf(index, x, y, radius), index + 1, x, y, radius, visit);
+  GW_MEMBER uint32_t after(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
+    return visitWindow(grid, windowOf(index, at, radius), index + 1, at, radius, visit);
   }
 
  private:
-  GW_MEMBER Window windowOf(uint32_t index, float x, float y, float radius) const {
+  GW_MEMBER Window windowOf(uint32_t index, Float2 at, float radius) const {
     const uint32_t column = index % grid.columns, row = index / grid.columns;
     const Cell* line = grid.cells + row * grid.columns;
     const Cell* pole = grid.cells + column;
     Window w{column, column, row, row};
-    while (w.firstColumn > 0 && magnitude(line[w.firstColumn - 1].x - x) <= radius) --w.firstColumn;
-    while (w.lastColumn + 1 < grid.columns && magnitude(line[w.lastColumn + 1].x - x) <= radius) ++w.lastColumn;
-    while (w.firstRow > 0 && magnitude(pole[(w.firstRow - 1) * grid.columns].y - y) <= radius) --w.firstRow;
-    while (w.lastRow + 1 < grid.rows && magnitude(pole[(w.lastRow + 1) * grid.columns].y - y) <= radius) ++w.lastRow;
+    while (w.firstColumn > 0 && magnitude(line[w.firstColumn - 1].x - at.x) <= radius) --w.firstColumn;
+    while (w.lastColumn + 1 < grid.columns && magnitude(line[w.lastColumn + 1].x - at.x) <= radius) ++w.lastColumn;
+    while (w.firstRow > 0 && magnitude(pole[(w.firstRow - 1) * grid.columns].y - at.y) <= radius) --w.firstRow;
+    while (w.lastRow + 1 < grid.rows && magnitude(pole[(w.lastRow + 1) * grid.columns].y - at.y) <= radius) ++w.lastRow;
     return w;
   }
 };

@@ -34,7 +34,7 @@ struct Bot {
   template <class See>
   GW_BODY void look(float radius, float late_ticks, const See& see) const {
     const Ship& ship = v.master->ship;
-    search(ship.x, ship.y, radius, [&](const Cell& cell, uint32_t place, float, float) {
+    search({ship.x, ship.y}, radius, [&](const Cell& cell, uint32_t place, Float2) {
       const Cell now = v.cells[place];  // the same cell at the end of the tick that was searched
       if (now.type == kTypeNone || now.type == kTypeShot) return;
       if (isEnemy(now.type) && v.state[cell.id].x == uint32_t(State::dead)) return;

@@ -15,8 +15,8 @@ struct CountTests {
     tested[i] = found[i] = 0;
     if (!isEnemy(cell.type)) return;
     uint32_t neighbours = 0;
-    const uint32_t tests = search.around(i, cell.x, cell.y, v.tables->rules.enemies[cell.type].vision_m,
-                                         [&](const Cell&, uint32_t, float, float) { ++neighbours; });
+    const uint32_t tests = search.around(i, placeOf(cell), v.tables->rules.enemies[cell.type].vision_m,
+                                         [&](const Cell&, uint32_t, Float2) { ++neighbours; });
     tested[i] = 1ull << 40 | (tests - 1);
     found[i] = neighbours - 1;
   }

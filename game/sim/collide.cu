@@ -64,7 +64,7 @@ struct ChooseVictims {
     const float reach = length(dx, dy) + r.shot.radius_m + v.tables->limits.largestReach_m + enemyStep_m(v) + kMargin_m;
     float first = kNoMeeting;
     uint32_t victim = kNobody;
-    search.around(i, from.x, from.y, reach, [&](const Cell& other, uint32_t place, float, float) {
+    search.around(i, placeOf(from), reach, [&](const Cell& other, uint32_t place, Float2) {
       if (!isEnemy(other.type) || other.id == last || other.id == lastButOne) return;
       const Cell end = v.moved[place];
       const float t = sweepBody(from.x - other.x, from.y - other.y, dx - (end.x - other.x), dy - (end.y - other.y),
@@ -109,7 +109,7 @@ struct Suffer {
     for (uint32_t taken = 0; taken < v.chosenBy[self.id] && force.w > 0.0f; ++taken) {
       uint64_t next = ~0ull;
       uint32_t place = 0;
-      search.around(i, self.x, self.y, reach, [&](const Cell& shot, uint32_t where, float, float) {
+      search.around(i, placeOf(self), reach, [&](const Cell& shot, uint32_t where, Float2) {
         if (shot.type != kTypeShot || v.choice[shot.id] != self.id) return;
         const uint64_t turn = turnOf(v.choiceTime[shot.id], shot.id);
         if (turn < done || turn >= next) return;
@@ -184,11 +184,11 @@ struct PushApart {
     const float step = enemyStep_m(v), reach = reachOf(own) + v.tables->limits.largestReach_m + step;
     const float near_x = own.halfWidth_m + step, near_y = own.halfHeight_m + step;
     Pushes sum;
-    search.after(i, to.x, to.y, reach, [&](const Cell& other, uint32_t place, float dx, float dy) {
+    search.after(i, {to.x, to.y}, reach, [&](const Cell& other, uint32_t place, Float2 away) {
       if (!isEnemy(other.type)) return;
       const EnemyRules& theirs = r.enemies[other.type];
       // Most are out of reach even by their boxes, and need not be looked up.
-      if (magnitude(dx) > near_x + theirs.halfWidth_m || magnitude(dy) > near_y + theirs.halfHeight_m) return;
+      if (magnitude(away.x) > near_x + theirs.halfWidth_m || magnitude(away.y) > near_y + theirs.halfHeight_m) return;
       const Cell end = v.moved[place];
       const Float2 deep = overlap(own, theirs, to.x - end.x, to.y - end.y, from.id < other.id ? 1.0f : -1.0f);
       if (deep.x == 0.0f && deep.y == 0.0f) return;

@@ -24,13 +24,13 @@ struct Warn {
     if (shot.type != kTypeShot || v.master->over) return;
     const Rules& r = v.tables->rules;
     const Float4 flight = v.directionMass[shot.id];
-    search.around(i, shot.x, shot.y, r.steering.threat_m, [&](const Cell& other, uint32_t, float dx, float dy) {
+    search.around(i, placeOf(shot), r.steering.threat_m, [&](const Cell& other, uint32_t, Float2 away) {
       if (!isEnemy(other.type) || r.enemies[other.type].machine == Machine::kamikaze) return;
-      if (flight.x * dx + flight.y * dy <= 0.0f) return;  // behind it
-      const float across = magnitude(flight.x * dy - flight.y * dx);
+      if (flight.x * away.x + flight.y * away.y <= 0.0f) return;  // behind it
+      const float across = magnitude(flight.x * away.y - flight.y * away.x);
       if (across > reachOf(r.enemies[other.type]) + r.steering.threatMargin_m) return;
       // Squared distances are not negative, so their bits are ordered as they are.
-      const uint64_t turn = uint64_t(bitsOf(dx * dx + dy * dy)) << 32 | shot.id;
+      const uint64_t turn = uint64_t(bitsOf(away.x * away.x + away.y * away.y)) << 32 | shot.id;
       atomicRaiseTo(v.threat[other.id], ~turn);
     });
   }
@@ -121,16 +121,16 @@ struct Think {
 
   // What died has left its cell in this tick's spawn: all that is found lives.
   GW_BODY void lookAround(uint32_t i, const Cell& cell, float vision_m, Company& company) const {
-    search.around(i, cell.x, cell.y, vision_m, [&](const Cell& other, uint32_t, float dx, float dy) {
+    search.around(i, placeOf(cell), vision_m, [&](const Cell& other, uint32_t, Float2 away) {
       if (other.type != cell.type || other.id == cell.id) return;
       const Float4 theirs = v.directionMass[other.id];
-      company.add(dx, dy, theirs.x, theirs.y);
+      company.add(away.x, away.y, theirs.x, theirs.y);
     });
   }
 
   // Their heading only.
   GW_BODY void lookAlong(uint32_t i, const Cell& cell, float vision_m, Company& company) const {
-    search.around(i, cell.x, cell.y, vision_m, [&](const Cell& other, uint32_t, float, float) {
+    search.around(i, placeOf(cell), vision_m, [&](const Cell& other, uint32_t, Float2) {
       if (other.type != cell.type || other.id == cell.id) return;
       const Float4 theirs = v.directionMass[other.id];
       company.heading.add(theirs.x, theirs.y, kSteerScale);

@@ -12,7 +12,7 @@ struct BrokenGather {
   NGridView grid;
 
   template <class Visitor>
-  GW_MEMBER uint32_t operator()(float x, float y, float radius, Visitor&& visit) const {
+  GW_MEMBER uint32_t operator()(Float2 at, float radius, Visitor&& visit) const {
     uint32_t tested = 0, rows = grid.rows;
     // Leaves out the last row that has anyone in it.
     if (kMistake == test::Method::forgetsLastRow) {
@@ -21,17 +21,17 @@ struct BrokenGather {
     }
     for (uint32_t row = rows; row-- > 0;) {
       // Takes the rows' upper ends for ascending, which the dead among the living undo.
-      if (kMistake == test::Method::trustsRowOrder && y - grid.high[row] > radius) break;
-      if (grid.low[row] - y > radius || y - grid.high[row] > radius) continue;
+      if (kMistake == test::Method::trustsRowOrder && at.y - grid.high[row] > radius) break;
+      if (grid.low[row] - at.y > radius || at.y - grid.high[row] > radius) continue;
       const Cell* line = grid.cells + row * grid.columns;
       for (uint32_t c = 0; c < grid.living[row]; ++c) {
         // Prunes by an edge that was rounded on its own, not by the rounded difference.
-        if (kMistake == test::Method::prunesByEdge && line[c].x < x - radius) continue;
-        const float dx = line[c].x - x, dy = line[c].y - y;
+        if (kMistake == test::Method::prunesByEdge && line[c].x < at.x - radius) continue;
+        const Float2 away = placeOf(line[c]) - at;
         // Takes the boundary itself for outside.
-        if (kMistake == test::Method::stopsBeforeBoundary && dx >= radius) break;
+        if (kMistake == test::Method::stopsBeforeBoundary && away.x >= radius) break;
         ++tested;
-        if (isNeighbour(dx, dy, radius)) visit(line[c], row * grid.columns + c, dx, dy);
+        if (isNeighbour(away, radius)) visit(line[c], row * grid.columns + c, away);
       }
     }
     return tested;

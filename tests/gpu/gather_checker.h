@@ -11,4 +11,8 @@ namespace gw::test {
 std::string checkGather(GridShape shape, const std::vector<Cell>& cells, const std::vector<Query>& queries,
                         Method method, const ExecOptions& options = {1});
 
+// The same in three dimensions.
+std::string checkGather3(const std::vector<Cell3>& cells, const std::vector<Query3>& queries, Method method,
+                         const ExecOptions& options = {1});
+
 }  // namespace gw::test

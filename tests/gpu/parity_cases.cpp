@@ -113,6 +113,31 @@ Words gathers(const Probes& device, const ExecOptions& options, Method method) {
   return words;
 }
 
+Words gathers3(const Probes& device, const ExecOptions& options, Method method) {
+  Words words;
+  for (uint64_t layout = 0; layout < kLayouts; ++layout) {
+    const auto cells = makeCells3({Layout(layout), {67, 23}, 15, layout + 300});
+    const Gathered gathered = device.gather3(options, cells, makeQueries3(cells, 200, layout + 400), method);
+    append(words, gathered.found);
+    append(words, gathered.visits);
+    append(words, gathered.tested);
+  }
+  return words;
+}
+
+Words binnings(Binned (*bin)(const ExecOptions&, const std::vector<Cell>&), const ExecOptions& options) {
+  Words words;
+  for (const uint32_t count : {1u, 2u, 300u, 5000u, 40000u}) {
+    for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+      const Binned binned = bin(options, makeCells({Layout(layout), {count, 1}, 15, count + layout}));
+      for (const Cell& cell : binned.cells) words.push_back(cell.id);
+      append(words, binned.cellOf);
+      append(words, binned.begin);
+    }
+  }
+  return words;
+}
+
 Words gathersAround(const Probes& device, const ExecOptions& options, Around method) {
   Words words;
   uint64_t seed = 200;
@@ -210,6 +235,13 @@ std::vector<ParityCase> makeCases() {
   add("Rebuild", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::rebuild); });
   add("RowGather", [](const Probes& device, Options options) { return gathers(device, options, Method::rows); });
   add("BruteForce", [](const Probes& device, Options options) { return gathers(device, options, Method::bruteForce); });
+  add("UniformGrid", [](const Probes& device, Options options) { return gathers(device, options, Method::grid); });
+  add("HashedGrid", [](const Probes& device, Options options) { return gathers(device, options, Method::hashedGrid); });
+  add("UniformGrid3", [](const Probes& device, Options options) { return gathers3(device, options, Method::grid); });
+  add("HashedGrid3",
+      [](const Probes& device, Options options) { return gathers3(device, options, Method::hashedGrid); });
+  add("Bins", [](const Probes& device, Options options) { return binnings(device.binCells, options); });
+  add("Buckets", [](const Probes& device, Options options) { return binnings(device.hashCells, options); });
   add("Transpose", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::transpose); });
   add("Settle", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::settle); });
   add("AroundByRows",

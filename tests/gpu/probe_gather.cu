@@ -1,5 +1,7 @@
 #include "gpu/brute_force.h"
+#include "gpu/hashed_grid.h"
 #include "gpu/row_gather.h"
+#include "gpu/uniform_grid.h"
 #include "gpu/window_gather.h"
 #include "tests/gpu/broken_gather.h"
 #include "tests/gpu/probe_parts.h"
@@ -7,71 +9,205 @@
 namespace gw::GW_DEVICE {
 namespace {
 
+GW_FN Float2 askedAt(const test::Query& query) {
+  return {query.x, query.y};
+}
+GW_FN Float3 askedAt(const test::Query3& query) {
+  return {query.x, query.y, query.z};
+}
+
+template <class Place>
+GW_FN bool same(Place a, Place b) {
+  return a.x == b.x && a.y == b.y && heightOf(a) == heightOf(b);
+}
+
 // One item: one query.
-template <class Search>
+template <class Search, class Query>
 struct Find {
   uint32_t *found, *visits, *tested;
-  const test::Query* queries;
+  const Query* queries;
   const uint32_t* cellOf;
   Search search;
   uint32_t wordsPerQuery;
 
   GW_BODY void operator()(uint32_t i) const {
-    const test::Query& q = queries[i];
+    const auto at = askedAt(queries[i]);
     uint32_t* mine = found + i * wordsPerQuery;
     uint32_t count = 0;
-    tested[i] = search(q.x, q.y, q.radius, [&](const Cell& cell, uint32_t index, float dx, float dy) {
+    tested[i] = search(at, queries[i].radius, [&](const auto& cell, uint32_t index, auto away) {
       mine[cell.id / 32] |= 1u << cell.id % 32;
       // A visit whose index or difference is wrong counts a thousandfold, which no right answer does.
-      const bool right = cellOf[cell.id] == index && dx == cell.x - q.x && dy == cell.y - q.y;
-      count += right ? 1 : 1000000;
+      count += cellOf[cell.id] == index && same(away, placeOf(cell) - at) ? 1 : 1000000;
     });
     visits[i] = count;
+  }
+};
+
+// The answers of one run.
+struct Answers {
+  Buffer<uint32_t> found, visits, tested;
+  uint32_t words;
+
+  Answers(Queue& queue, uint32_t queries, uint32_t cells)
+      : found(queue, size_t(queries) * ((cells + 31) / 32)),
+        visits(queue, queries),
+        tested(queue, queries),
+        words((cells + 31) / 32) {}
+  test::Gathered download() const { return {found.download(), visits.download(), tested.download()}; }
+};
+
+template <class CellT>
+UniformGrid<CellT> gridFor(Queue& queue, uint32_t cells);
+template <>
+UniformGrid<Cell> gridFor(Queue& queue, uint32_t cells) {
+  return {queue, cells, binsOver(Float2{0, 0}, Float2{test::kRegion, test::kRegion}, test::binSizeFor(cells), cells)};
+}
+template <>
+UniformGrid<Cell3> gridFor(Queue& queue, uint32_t cells) {
+  constexpr float kFar = test::kRegion;
+  return {queue, cells, binsOver(Float3{0, 0, 0}, Float3{kFar, kFar, kFar}, test::binSizeFor(cells), cells)};
+}
+
+// What is searched: the cells, and whatever structure the method keeps of them.
+template <class CellT>
+struct Searched {
+  Queue& queue;
+  Buffer<CellT> cells;
+  Buffer<uint32_t> cellOf;
+  NGrid rows;
+  UniformGrid<CellT> bins;
+  HashedGrid<CellT> hashed;
+  uint32_t count;
+
+  Searched(Queue& q, const std::vector<CellT>& start)
+      : queue(q), cells(uploaded(q, start)), cellOf(q, start.size()), count(uint32_t(start.size())) {
+    std::vector<uint32_t> own(count);
+    for (uint32_t i = 0; i < count; ++i) own[start[i].id] = i;
+    cellOf.upload(own);
+  }
+
+  NGridView maintainRows(test::GridShape shape) {
+    rows = NGrid(queue, {shape.columns, shape.rows});
+    rows.maintain(queue, cells.data(), cellOf.data());
+    return rows.view(cells.data());
+  }
+  BruteForce<CellT> asTheyAre() { return {cells.data(), count}; }
+  GridGather<CellT> inBins() {
+    bins = gridFor<CellT>(queue, count);
+    bins.maintain(queue, cells.data(), cellOf.data());
+    return bins.view(cells.data());
+  }
+  HashedGather<CellT> inBuckets() {
+    hashed = HashedGrid<CellT>(queue, count, test::binSizeFor(count));
+    hashed.maintain(queue, cells.data());
+    return hashed.view(cells.data());
+  }
+};
+
+template <class Query>
+struct Asking {
+  Queue& queue;
+  Buffer<Query> queries;
+  Answers answers;
+  const uint32_t* cellOf;
+
+  template <class Search>
+  void operator()(const Search& search) {
+    forEach(queue, Count{uint32_t(queries.size())},
+            Find<Search, Query>{answers.found.data(), answers.visits.data(), answers.tested.data(), queries.data(),
+                                cellOf, search, answers.words});
   }
 };
 
 test::Gathered gather(const ExecOptions& options, test::GridShape shape, const std::vector<Cell>& start,
                       const std::vector<test::Query>& queries, test::Method method) {
   Queue queue(options);
-  NGrid grid(queue, {shape.columns, shape.rows});
-  auto cells = uploaded(queue, start);
-  auto asked = uploaded(queue, queries);
-  const uint32_t n = uint32_t(queries.size()), words = (shape.cells() + 31) / 32;
-  Buffer<uint32_t> cellOf(queue, start.size()), found(queue, n * words), visits(queue, n), tested(queue, n);
-  grid.maintain(queue, cells.data(), cellOf.data());
-
-  const auto run = [&](auto search) {
-    forEach(
-        queue, Count{n},
-        Find<decltype(search)>{found.data(), visits.data(), tested.data(), asked.data(), cellOf.data(), search, words});
-  };
-  const NGridView view = grid.view(cells.data());
+  Searched<Cell> searched(queue, start);
+  Asking<test::Query> ask{queue, uploaded(queue, queries), Answers(queue, uint32_t(queries.size()), searched.count),
+                          searched.cellOf.data()};
   using test::Method;
   switch (method) {
     case Method::rows:
-      run(RowGather{view});
+      ask(RowGather{searched.maintainRows(shape)});
       break;
     case Method::bruteForce:
-      run(BruteForce{cells.data(), shape.cells()});
+      ask(searched.asTheyAre());
+      break;
+    case Method::grid:
+      ask(searched.inBins());
+      break;
+    case Method::hashedGrid:
+      ask(searched.inBuckets());
       break;
     case Method::noMistake:
-      run(BrokenGather<Method::noMistake>{view});
+      ask(BrokenGather<Method::noMistake>{searched.maintainRows(shape)});
       break;
     case Method::prunesByEdge:
-      run(BrokenGather<Method::prunesByEdge>{view});
+      ask(BrokenGather<Method::prunesByEdge>{searched.maintainRows(shape)});
       break;
     case Method::forgetsLastRow:
-      run(BrokenGather<Method::forgetsLastRow>{view});
+      ask(BrokenGather<Method::forgetsLastRow>{searched.maintainRows(shape)});
       break;
     case Method::stopsBeforeBoundary:
-      run(BrokenGather<Method::stopsBeforeBoundary>{view});
+      ask(BrokenGather<Method::stopsBeforeBoundary>{searched.maintainRows(shape)});
       break;
     case Method::trustsRowOrder:
-      run(BrokenGather<Method::trustsRowOrder>{view});
+      ask(BrokenGather<Method::trustsRowOrder>{searched.maintainRows(shape)});
       break;
   }
-  test::Gathered result{found.download(), visits.download(), tested.download()};
+  const test::Gathered result = ask.answers.download();
+  countLaunches(method == Method::bruteForce ? 1 : 4);
+  return result;
+}
+
+test::Gathered gather3(const ExecOptions& options, const std::vector<Cell3>& start,
+                       const std::vector<test::Query3>& queries, test::Method method) {
+  Queue queue(options);
+  Searched<Cell3> searched(queue, start);
+  Asking<test::Query3> ask{queue, uploaded(queue, queries), Answers(queue, uint32_t(queries.size()), searched.count),
+                           searched.cellOf.data()};
+  if (method == test::Method::grid) {
+    ask(searched.inBins());
+  } else if (method == test::Method::hashedGrid) {
+    ask(searched.inBuckets());
+  } else {
+    ask(searched.asTheyAre());
+  }
+  const test::Gathered result = ask.answers.download();
+  countLaunches(method == test::Method::bruteForce ? 1 : 4);
+  return result;
+}
+
+// One item: one beginning, copied to where the host can download it from.
+struct CopyWords {
+  uint32_t* out;
+  const uint32_t* in;
+  GW_BODY void operator()(uint32_t i) const { out[i] = in[i]; }
+};
+
+std::vector<uint32_t> downloaded(Queue& queue, const uint32_t* words, uint32_t count) {
+  Buffer<uint32_t> copy(queue, count);
+  forEach(queue, Count{count}, CopyWords{copy.data(), words});
+  return copy.download();
+}
+
+test::Binned binCells(const ExecOptions& options, const std::vector<Cell>& start) {
+  Queue queue(options);
+  Searched<Cell> searched(queue, start);
+  const auto view = searched.inBins();
+  test::Binned result{searched.cells.download(), searched.cellOf.download(),
+                      downloaded(queue, view.begin, view.bins.all() + 2)};
   countLaunches(4);
+  return result;
+}
+
+test::Binned hashCells(const ExecOptions& options, const std::vector<Cell>& start) {
+  Queue queue(options);
+  Searched<Cell> searched(queue, start);
+  const auto view = searched.inBuckets();
+  test::Binned result{searched.cells.download(), downloaded(queue, view.index, view.count),
+                      downloaded(queue, view.begin, view.count + 2)};
+  countLaunches(5);
   return result;
 }
 
@@ -90,14 +226,13 @@ struct LookAround {
     uint32_t count = 0;
     visits[i] = tested[i] = 0;
     if (!isLiving(self.x)) return;
-    const auto visit = [&](const Cell& cell, uint32_t index, float dx, float dy) {
+    const auto visit = [&](const Cell& cell, uint32_t index, Float2 away) {
       mine[cell.id / 32] |= 1u << cell.id % 32;
-      const bool right = cells[index].id == cell.id && dx == cell.x - self.x && dy == cell.y - self.y;
-      count += right ? 1 : 1000000;
+      count += cells[index].id == cell.id && same(away, placeOf(cell) - placeOf(self)) ? 1 : 1000000;
     };
-    const uint32_t all = search.around(i, self.x, self.y, radius, visit);
+    const uint32_t all = search.around(i, placeOf(self), radius, visit);
     visits[i] = count;
-    const uint32_t later = search.after(i, self.x, self.y, radius, [](const Cell&, uint32_t, float, float) {});
+    const uint32_t later = search.after(i, placeOf(self), radius, [](const Cell&, uint32_t, Float2) {});
     tested[i] = all + 65536 * later;
   }
 };
@@ -105,34 +240,37 @@ struct LookAround {
 test::Gathered gatherAround(const ExecOptions& options, test::GridShape shape, const std::vector<Cell>& start,
                             float radius, test::Around method) {
   Queue queue(options);
-  NGrid grid(queue, {shape.columns, shape.rows});
-  auto cells = uploaded(queue, start);
-  const uint32_t n = shape.cells(), words = (n + 31) / 32;
-  Buffer<uint32_t> cellOf(queue, n), found(queue, size_t(n) * words), visits(queue, n), tested(queue, n);
-  found.upload(std::vector<uint32_t>(size_t(n) * words));
-  grid.maintain(queue, cells.data(), cellOf.data());
+  Searched<Cell> searched(queue, start);
+  const uint32_t n = shape.cells();
+  Answers answers(queue, n, n);
+  answers.found.upload(std::vector<uint32_t>(answers.found.size()));
   const auto run = [&](auto search) {
-    forEach(
-        queue, Count{n},
-        LookAround<decltype(search)>{found.data(), visits.data(), tested.data(), cells.data(), search, radius, words});
+    forEach(queue, Count{n},
+            LookAround<decltype(search)>{answers.found.data(), answers.visits.data(), answers.tested.data(),
+                                         searched.cells.data(), search, radius, answers.words});
   };
-  const NGridView view = grid.view(cells.data());
   switch (method) {
     case test::Around::rows:
-      run(RowGather{view});
+      run(RowGather{searched.maintainRows(shape)});
       break;
     case test::Around::bruteForce:
-      run(BruteForce{cells.data(), n});
+      run(searched.asTheyAre());
+      break;
+    case test::Around::grid:
+      run(searched.inBins());
+      break;
+    case test::Around::hashedGrid:
+      run(searched.inBuckets());
       break;
     case test::Around::fixedWindow:
-      run(FixedGather{view});
+      run(FixedGather{searched.maintainRows(shape)});
       break;
     case test::Around::adaptiveWindow:
-      run(AdaptiveGather{view});
+      run(AdaptiveGather{searched.maintainRows(shape)});
       break;
   }
-  test::Gathered result{found.download(), visits.download(), tested.download()};
-  countLaunches(4);
+  const test::Gathered result = answers.download();
+  countLaunches(method == test::Around::bruteForce ? 1 : 4);
   return result;
 }
 
@@ -140,6 +278,9 @@ test::Gathered gatherAround(const ExecOptions& options, test::GridShape shape, c
 
 void addGatherProbes(test::Probes& probes) {
   probes.gather = gather;
+  probes.gather3 = gather3;
+  probes.binCells = binCells;
+  probes.hashCells = hashCells;
   probes.gatherAround = gatherAround;
 }
 

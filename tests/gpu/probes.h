@@ -20,6 +20,12 @@ struct GridShape {
 
 enum class Upkeep : uint32_t { maintain, rebuild, transpose, settle };
 
+// What binning leaves behind.
+struct Binned {
+  std::vector<Cell> cells;
+  std::vector<uint32_t> cellOf, begin;
+};
+
 // Everything that NGrid upkeep leaves behind. A transposition leaves nothing about the rows.
 struct GridState {
   std::vector<Cell> cells;
@@ -30,11 +36,22 @@ struct GridState {
 struct Query {
   float x, y, radius;
 };
+struct Query3 {
+  float x, y, z, radius;
+};
+
+// What the uniform grids of the probes cover, and the size of their bins, as different as the shapes are.
+inline constexpr float kRegion = 100.0f;
+inline float binSizeFor(uint32_t cells) {
+  return 0.4f + 0.37f * float(cells % 29);
+}
 
 // Those after noMistake have one planted mistake each (broken_gather.h); noMistake is the same code without it.
 enum class Method : uint32_t {
   rows,
   bruteForce,
+  grid,
+  hashedGrid,
   noMistake,
   prunesByEdge,
   forgetsLastRow,
@@ -43,7 +60,7 @@ enum class Method : uint32_t {
 };
 
 // How a cell of the grid asks for what is around it.
-enum class Around : uint32_t { rows, bruteForce, fixedWindow, adaptiveWindow };
+enum class Around : uint32_t { rows, bruteForce, grid, hashedGrid, fixedWindow, adaptiveWindow };
 
 struct Gathered {
   std::vector<uint32_t> found;   // [query][id / 32] a bit for each neighbour
@@ -77,11 +94,16 @@ struct Probes {
   std::vector<Cell> (*sortLineByX)(const ExecOptions&, const std::vector<Cell>&);
   std::vector<Cell> (*sortLineByY)(const ExecOptions&, const std::vector<Cell>&);
   GridState (*upkeep)(const ExecOptions&, GridShape, const std::vector<Cell>&, Upkeep);
-  // Maintains, then searches.
+  // The cells in the order of their bins, and the indexes in that of their buckets (as cellOf; the cells stay).
+  Binned (*binCells)(const ExecOptions&, const std::vector<Cell>&);
+  Binned (*hashCells)(const ExecOptions&, const std::vector<Cell>&);
+  // Maintains what the method needs, then searches.
   Gathered (*gather)(const ExecOptions&, GridShape, const std::vector<Cell>&, const std::vector<Query>&, Method);
   // Maintains, then lets every living cell look around itself, and at what comes after it: found and visits are
   // [cell] of the first, tested of both.
   Gathered (*gatherAround)(const ExecOptions&, GridShape, const std::vector<Cell>&, float radius, Around);
+  // As gather(), in three dimensions. Methods: bruteForce, grid, hashedGrid.
+  Gathered (*gather3)(const ExecOptions&, const std::vector<Cell3>&, const std::vector<Query3>&, Method);
 };
 
 // Kernels that probes have launched on a real CUDA device.

@@ -57,6 +57,19 @@ std::vector<Cell> makeCells(const CellSpec& spec) {
   return cells;
 }
 
+std::vector<Cell3> makeCells3(const CellSpec& spec) {
+  CellSpec heights = spec;
+  heights.seed = ~spec.seed;
+  heights.deadPercent = 0;
+  const std::vector<Cell> flat = makeCells(spec), high = makeCells(heights);
+  std::vector<Cell3> cells;
+  for (size_t i = 0; i < flat.size(); ++i) {
+    const bool dead = flat[i].x == kInfinite;
+    cells.push_back({flat[i].x, flat[i].y, dead ? kInfinite : high[i].x, flat[i].id});
+  }
+  return cells;
+}
+
 void moveCells(std::vector<Cell>& cells, float step, uint64_t seed) {
   std::mt19937_64 random(seed);
   for (Cell& cell : cells) {
@@ -109,6 +122,31 @@ std::vector<Query> makeQueries(const std::vector<Cell>& cells, uint32_t count, u
     }
     if (!(query.radius > 0.0f) || !(query.radius < kInfinite)) query.radius = 1e-6f;
     queries.push_back(query);
+  }
+  return queries;
+}
+
+std::vector<Query3> makeQueries3(const std::vector<Cell3>& cells, uint32_t count, uint64_t seed) {
+  // Boundaries along each pair of axes come from the flat queries of that pair.
+  std::vector<Query3> queries;
+  std::vector<Cell> flat;
+  std::mt19937_64 random(seed);
+  for (uint32_t turn = 0; turn < 3; ++turn) {
+    flat.clear();
+    for (const Cell3& cell : cells) {
+      const float axes[3] = {cell.x, cell.y, cell.z};
+      flat.push_back({axes[turn], axes[(turn + 1) % 3], cell.id, 0});
+    }
+    for (const Query& query : makeQueries(flat, (count + 2 - turn) / 3, seed + turn)) {
+      float axes[3];
+      axes[turn] = query.x;
+      axes[(turn + 1) % 3] = query.y;
+      const Cell3& third = cells[random() % cells.size()];
+      const float thirds[3] = {third.x, third.y, third.z};
+      const float height = thirds[(turn + 2) % 3];
+      axes[(turn + 2) % 3] = height < kInfinite ? height : 0.5f;
+      queries.push_back({axes[0], axes[1], axes[2], query.radius});
+    }
   }
   return queries;
 }

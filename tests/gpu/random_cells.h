@@ -32,12 +32,17 @@ std::ostream& operator<<(std::ostream& out, const CellSpec& spec);
 // Ids 0 .. cells - 1 in the order of cells; the type of id i is 7 * i + 1.
 std::vector<Cell> makeCells(const CellSpec& spec);
 
+// The same in three dimensions: z is another draw of what makes x.
+std::vector<Cell3> makeCells3(const CellSpec& spec);
+
 // Moves every living cell by up to `step` along each axis; kills and revives some.
 void moveCells(std::vector<Cell>& cells, float step, uint64_t seed);
 
 // Places of entities and others; radii from nothing to everything, half of them such that an entity stands
 // exactly on the boundary.
 std::vector<Query> makeQueries(const std::vector<Cell>& cells, uint32_t count, uint64_t seed);
+
+std::vector<Query3> makeQueries3(const std::vector<Cell3>& cells, uint32_t count, uint64_t seed);
 
 // `count` words with every kind of value: zeros, ones, small, all bits.
 Words makeWords(size_t count, uint64_t seed);

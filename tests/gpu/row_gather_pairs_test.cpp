@@ -35,7 +35,7 @@ std::pair<Pairs, uint64_t> pairsBy(const Search& search, const std::vector<Cell>
   uint64_t tested = 0;
   for (uint32_t i = 0; i < cells.size(); ++i) {
     if (!isLiving(cells[i].x)) continue;
-    tested += search.after(i, cells[i].x, cells[i].y, radius, [&](const Cell& other, uint32_t index, float, float) {
+    tested += search.after(i, placeOf(cells[i]), radius, [&](const Cell& other, uint32_t index, Float2) {
       EXPECT_GT(index, i);
       EXPECT_EQ(cells[index].id, other.id);
       ++pairs[std::minmax(cells[i].id, other.id)];
@@ -49,8 +49,7 @@ Pairs pairsByDefinition(const std::vector<Cell>& cells, float radius) {
   for (size_t i = 0; i < cells.size(); ++i) {
     for (size_t j = i + 1; j < cells.size(); ++j) {
       if (!isLiving(cells[i].x) || !isLiving(cells[j].x)) continue;
-      const float dx = cells[j].x - cells[i].x, dy = cells[j].y - cells[i].y;
-      if (isNeighbour(dx, dy, radius)) pairs[std::minmax(cells[i].id, cells[j].id)] = 1;
+      if (isNeighbour(placeOf(cells[j]) - placeOf(cells[i]), radius)) pairs[std::minmax(cells[i].id, cells[j].id)] = 1;
     }
   }
   return pairs;
@@ -75,7 +74,7 @@ TEST(RowGatherPairs, NeedsAboutHalfTheTests) {
   const auto cells = arranged.cells.download();
   const RowGather search{arranged.grid.view(arranged.cells.data())};
   uint64_t both = 0;
-  for (const Cell& cell : cells) both += search(cell.x, cell.y, 6.0f, [](const Cell&, uint32_t, float, float) {});
+  for (const Cell& cell : cells) both += search(placeOf(cell), 6.0f, [](const Cell&, uint32_t, Float2) {});
   const uint64_t once = pairsBy(search, cells, 6.0f).second;
   EXPECT_LT(double(once), 0.55 * double(both));
   EXPECT_GT(double(once), 0.4 * double(both));

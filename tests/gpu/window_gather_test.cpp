@@ -41,10 +41,10 @@ struct Found {
 template <class Ask>
 Found collect(const std::vector<Cell>& cells, uint32_t i, const Ask& ask) {
   Found found;
-  found.tested = ask([&](const Cell& cell, uint32_t index, float dx, float dy) {
+  found.tested = ask([&](const Cell& cell, uint32_t index, Float2 away) {
     found.ids.push_back(cell.id);
     found.cells.push_back(index);
-    found.right &= cells[index].id == cell.id && dx == cell.x - cells[i].x && dy == cell.y - cells[i].y;
+    found.right &= cells[index].id == cell.id && away.x == cell.x - cells[i].x && away.y == cell.y - cells[i].y;
   });
   std::sort(found.ids.begin(), found.ids.end());
   std::sort(found.cells.begin(), found.cells.end());
@@ -53,12 +53,12 @@ Found collect(const std::vector<Cell>& cells, uint32_t i, const Ask& ask) {
 
 template <class Search>
 Found around(const Search& search, const std::vector<Cell>& cells, uint32_t i, float radius) {
-  return collect(cells, i, [&](auto see) { return search.around(i, cells[i].x, cells[i].y, radius, see); });
+  return collect(cells, i, [&](auto see) { return search.around(i, placeOf(cells[i]), radius, see); });
 }
 
 template <class Search>
 Found after(const Search& search, const std::vector<Cell>& cells, uint32_t i, float radius) {
-  return collect(cells, i, [&](auto see) { return search.after(i, cells[i].x, cells[i].y, radius, see); });
+  return collect(cells, i, [&](auto see) { return search.after(i, placeOf(cells[i]), radius, see); });
 }
 
 // Empty when every living cell finds what `wanted` says, and after() is the later part of around().
@@ -183,7 +183,7 @@ TEST(WindowGather, AroundIsTheExactSearchOfExactMethods) {
   for (uint32_t i = 0; i < cells.size(); ++i) {
     if (!isLiving(cells[i].x)) continue;
     const auto direct = [&](const auto& search) {
-      return collect(cells, i, [&](auto see) { return search(cells[i].x, cells[i].y, 3.0f, see); });
+      return collect(cells, i, [&](auto see) { return search(placeOf(cells[i]), 3.0f, see); });
     };
     for (const auto& [mine, wanted] : {std::pair(around(rows, cells, i, 3.0f), direct(rows)),
                                        std::pair(around(brute, cells, i, 3.0f), direct(brute))}) {

@@ -26,6 +26,13 @@ std::vector<Cell> transpose(test::GridShape shape, std::vector<Cell> cells);
 // Ids of the living within the radius, ascending: the neighbour test on every cell.
 std::vector<uint32_t> neighbours(const std::vector<Cell>& cells, test::Query query);
 
+std::vector<uint32_t> neighbours(const std::vector<Cell3>& cells, test::Query3 query);
+
+// The cells in the order of their bins, those of a bin in the order they had, the dead last.
+test::Binned binCells(const std::vector<Cell>& cells);
+// The indexes of the cells in the order of their buckets, of as many as there are cells, the dead last.
+test::Binned hashCells(const std::vector<Cell>& cells);
+
 // A fixed window of the thesis: who is within the radius among the cells at most `columns` and `rows` away
 // from the cell (its extended Moore neighbourhood), ids ascending.
 std::vector<uint32_t> windowNeighbours(test::GridShape shape, const std::vector<Cell>& arranged, uint32_t cell,

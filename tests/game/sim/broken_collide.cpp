@@ -19,13 +19,13 @@ struct Broken {
   Search search;
 
   template <class Visitor>
-  uint32_t around(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
-    return broken(radius, visit, [&](float r, const auto& see) { return search.around(index, x, y, r, see); });
+  uint32_t around(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
+    return broken(radius, visit, [&](float r, const auto& see) { return search.around(index, at, r, see); });
   }
 
   template <class Visitor>
-  uint32_t after(uint32_t index, float x, float y, float radius, Visitor&& visit) const {
-    return broken(radius, visit, [&](float r, const auto& see) { return search.after(index, x, y, r, see); });
+  uint32_t after(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
+    return broken(radius, visit, [&](float r, const auto& see) { return search.after(index, at, r, see); });
   }
 
  private:
@@ -37,12 +37,12 @@ struct Broken {
     struct Found {
       Cell cell;
       uint32_t place;
-      float dx, dy;
+      Float2 away;
     };
     std::optional<Found> held;  // one behind: the last is never handed on
-    return look(radius, [&](const Cell& cell, uint32_t place, float dx, float dy) {
-      if (held) visit(held->cell, held->place, held->dx, held->dy);
-      held = Found{cell, place, dx, dy};
+    return look(radius, [&](const Cell& cell, uint32_t place, Float2 away) {
+      if (held) visit(held->cell, held->place, held->away);
+      held = Found{cell, place, away};
     });
   }
 };
