@@ -34,8 +34,10 @@ constexpr Choice kModes[] = {{"arcade", uint32_t(Mode::arcade)},
 constexpr Choice kDevices[] = {{"auto", uint32_t(DeviceOption::automatic)},
                                {"cuda", uint32_t(DeviceOption::cuda)},
                                {"cpu", uint32_t(DeviceOption::cpu)}};
-constexpr Choice kBroadPhases[] = {
-    {"ngrid", uint32_t(BroadPhase::ngrid)}, {"brute", uint32_t(BroadPhase::bruteForce)}, {"grid"}, {"grid-hashed"}};
+constexpr Choice kBroadPhases[] = {{"ngrid", uint32_t(BroadPhase::ngrid)},
+                                   {"grid", uint32_t(BroadPhase::grid)},
+                                   {"grid-hashed", uint32_t(BroadPhase::gridHashed)},
+                                   {"brute", uint32_t(BroadPhase::bruteForce)}};
 constexpr Choice kGathers[] = {
     {"exact", uint32_t(Gather::exact)}, {"adaptive", uint32_t(Gather::adaptive)}, {"fixed", uint32_t(Gather::fixed)}};
 constexpr Choice kSorts[] = {
@@ -225,8 +227,8 @@ class VerbParser {
     }
     if (o.gather.value_or(Gather::exact) != Gather::exact && o.broadPhase != BroadPhase::ngrid) {
       throw UsageError(
-          fmt::format("'{}' asks the NGrid, which '--broad-phase brute' does without; leave out one of the two",
-                      o.thesis ? "--thesis" : fmt::format("--gather {}", nameOf(*o.gather))));
+          fmt::format("'{}' asks the NGrid, which '--broad-phase {}' does without; leave out one of the two",
+                      o.thesis ? "--thesis" : fmt::format("--gather {}", nameOf(*o.gather)), nameOf(o.broadPhase)));
     }
   }
 
@@ -306,6 +308,9 @@ const char* wordFor(const Choice (&choices)[kCount], uint32_t value) {
 
 }  // namespace
 
+const char* nameOf(BroadPhase broadPhase) {
+  return wordFor(kBroadPhases, uint32_t(broadPhase));
+}
 const char* nameOf(Gather gather) {
   return wordFor(kGathers, uint32_t(gather));
 }

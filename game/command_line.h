@@ -77,6 +77,7 @@ struct ParsedCommandLine {
 };
 
 // The words of the command line.
+const char* nameOf(BroadPhase broadPhase);
 const char* nameOf(Gather gather);
 const char* nameOf(Sort sort);
 

@@ -50,7 +50,8 @@ void setComputingOf(SimulationConfig& config, const Options& options, const std:
   if (options.gather && *options.gather != config.gather)
     refuse(std::string("'--gather ") + nameOf(*options.gather) + "'");
   if (options.sort && *options.sort != config.sort) refuse(std::string("'--sort ") + nameOf(*options.sort) + "'");
-  if (config.gather != Gather::exact && options.broadPhase != BroadPhase::ngrid) refuse("'--broad-phase brute'");
+  if (config.gather != Gather::exact && options.broadPhase != BroadPhase::ngrid)
+    refuse(std::string("'--broad-phase ") + nameOf(options.broadPhase) + "'");
   Options agreed = options;
   agreed.gather = config.gather;
   agreed.sort = config.sort;

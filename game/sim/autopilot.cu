@@ -247,22 +247,12 @@ struct Expert : Bot<Search> {
   }
 };
 
-// The ship stands in no cell, so an inexact gather has no window for it: then bots look at everybody.
-template <class Launch>
-void withSeen(const View& view, const Launch& launch) {
-  if (view.broadPhase == BroadPhase::ngrid && view.gather == Gather::exact) {
-    launch(RowGather{view.seenGrid});
-  } else {
-    launch(BruteForce{view.moved, view.capacity});
-  }
-}
-
 }  // namespace
 
 void autopilot(Queue& queue, const View& view, Autopilot who) {
   const Count one{1};
   if (who == Autopilot::none) return forEach(queue, one, TakeInput{view});
-  withSeen(view, [&](auto search) {
+  withSearchFromAnywhere(view.seen, [&](auto search) {  // the ship stands in no cell
     using Search = decltype(search);
     if (who == Autopilot::novice) {
       forEach(queue, one, Novice<Search>{{view, search}});

@@ -25,7 +25,7 @@ struct CountTests {
 }  // namespace
 
 CandidateCount Candidates::run(Queue& queue, const View& view) {
-  withSearchOf(view, view.moved, view.seenGrid, [&](auto search) {
+  withSearch(view.seen, [&](auto search) {
     forEach(queue, Count{view.capacity}, CountTests<decltype(search)>{tested_.data(), found_.data(), view, search});
   });
   const uint64_t tests = sumOf(queue, tested_);

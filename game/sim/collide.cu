@@ -287,7 +287,7 @@ struct FinishShots {
 void collide(Queue& queue, const View& view) {
   const Count all{view.capacity};
   forEach(queue, all, ClearChoices{view});
-  withSearch(view, [&](auto search) {
+  withSearch(view.near, [&](auto search) {
     forEach(queue, all, ChooseVictims<decltype(search)>{view, search});
     forEach(queue, all, Suffer<decltype(search)>{view, search});
     forEach(queue, all, PushApart<decltype(search)>{view, search});

@@ -143,7 +143,7 @@ struct Report {
 }  // namespace
 
 void hash(Queue& queue, const View& view, Reduce& sum) {
-  forEach(queue, Count{view.capacity}, HashEntities{view, isArrangementState(view.gather)});
+  forEach(queue, Count{view.capacity}, HashEntities{view, isArrangementState(view.near.gather)});
   sum.run(queue, view.hashes, &view.scratch->entityHash);
   forEach(queue, Count{1}, Report{view});
 }

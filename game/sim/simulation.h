@@ -20,7 +20,7 @@ namespace gw {
 enum class Mode : uint32_t { arcade, deadline, swarm, practice };
 // How a run ended.
 enum class Ending : uint32_t { none, frameRate, timeUp, cleared };
-enum class BroadPhase : uint32_t { ngrid, bruteForce };
+enum class BroadPhase : uint32_t { ngrid, grid, gridHashed, bruteForce };
 // How the NGrid is asked and kept in order. Exact gathers cannot change the game; with an inexact one the
 // arrangement of the cells is part of the state: hashed, and kept in snapshots and replays.
 enum class Gather : uint32_t { exact, adaptive, fixed };

@@ -95,7 +95,7 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
   const auto machine = fetch(state.state);
   const auto push = fetch(state.push);
   const auto birth = fetch(state.birthTick), target = fetch(state.target);
-  if (isArrangementState(next.gather)) {
+  if (isArrangementState(next.near.gather)) {
     for (const Cell& cell : cells) snapshot.arrangement.push_back(cell.id);
   }
   for (uint32_t id = 0; id < next.capacity; ++id) {
@@ -113,7 +113,7 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
 void restoreSnapshot(Queue& queue, GameState& state, const View& next, const Snapshot& snapshot) {
   Tables tables;
   state.tables.download(&tables, 1);
-  checkSnapshot(snapshot, tables, state.gather());
+  checkSnapshot(snapshot, tables, state.neighbourhood().gather());
   const uint32_t n = next.capacity;
   std::vector<Cell> now(n), before(n);
   std::vector<Float4> force(n), direction(n), motion(n);
@@ -144,22 +144,22 @@ void restoreSnapshot(Queue& queue, GameState& state, const View& next, const Sna
   state.birthTick.upload(birth);
   state.target.upload(target);
 
-  // The NGrid is built over the start of the last tick, as maintain left it; the end of that tick then
+  // Neighbours are found over the start of the last tick, as maintain left it; the end of that tick then
   // stands in the same arrangement.
   Cell* d_before = state.cells[1 - side].data();
   Buffer<Cell> byId(queue, n);
-  if (isArrangementState(state.gather())) {
+  if (isArrangementState(state.neighbourhood().gather())) {
     const bool known = !snapshot.arrangement.empty();
-    const auto arrangement = known ? snapshot.arrangement : startArrangement(state.grid().dimensions());
+    const auto arrangement = known ? snapshot.arrangement : startArrangement(state.neighbourhood().dimensions());
     Buffer<uint32_t> d_arrangement(queue, n);
     d_arrangement.upload(arrangement);
     byId.upload(before);
     forEach(queue, Count{n}, FillByArrangement{d_before, state.cellOf.data(), d_arrangement.data(), byId.data()});
-    if (!known) state.grid().settle(queue, d_before, state.cellOf.data());
+    if (!known) state.neighbourhood().arrange(queue, d_before, state.cellOf.data());
     queue.synchronise();  // the sources of these copies end here
   } else {
     state.cells[1 - side].upload(before);
-    state.grid().rebuild(queue, d_before, state.cellOf.data());
+    state.neighbourhood().arrange(queue, d_before, state.cellOf.data());
   }
   byId.upload(now);
   forEach(queue, Count{n}, PlaceById{state.cells[side].data(), state.cellOf.data(), byId.data()});

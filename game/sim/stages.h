@@ -8,7 +8,7 @@ namespace gw::GW_DEVICE {
 void autopilot(Queue& queue, const View& view, Autopilot who);
 void logic(Queue& queue, const View& view);
 void spawn(Queue& queue, const View& view, Scan& scan);
-void maintain(Queue& queue, const View& view, NGrid& grid);
+void maintain(Queue& queue, const View& view, Neighbourhood& neighbourhood);
 void think(Queue& queue, const View& view);
 void integrate(Queue& queue, const View& view);
 void collide(Queue& queue, const View& view);

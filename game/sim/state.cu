@@ -13,23 +13,6 @@ namespace {
 // every gather there wider; lowering it clips knock-back.
 constexpr float kFastestEnemy_mps = 24.0f;
 
-// Exact gathers ask by rows, windows by both axes. The world of a game without a grid yet is known by its aspect.
-NDimensions dimensionsOf(const SimulationConfig& config) {
-  const uint32_t n = config.enemies + kShotCapacity + kBitCapacity;
-  if (!isArrangementState(config.gather)) return chooseDimensions(n);
-  return chooseWindowDimensions(n, config.rules.world.width_m / config.rules.world.height_m);
-}
-
-const SimulationConfig& checked(const SimulationConfig& config) {
-  if (config.gather == Gather::exact && config.sort != Sort::bitonic) {
-    throw std::invalid_argument("An exact gather needs rows in order, which odd-even transposition does not keep.");
-  }
-  if (config.gather != Gather::exact && config.broadPhase != BroadPhase::ngrid) {
-    throw std::invalid_argument("An inexact gather is the NGrid's: no other broad phase finds the same.");
-  }
-  return config;
-}
-
 Limits limitsOf(const SimulationConfig& config) {
   Limits limits{};
   const float scale = config.enemies > 8192 ? std::sqrt(float(config.enemies) / 8192.0f) : 1.0f;
@@ -46,21 +29,9 @@ Limits limitsOf(const SimulationConfig& config) {
 
 }  // namespace
 
-std::vector<uint32_t> startArrangement(NDimensions dimensions) {
-  const uint64_t columns = dimensions.columns, rows = dimensions.rows;
-  // How large a corner has to be to hold a cell: along rows and columns in the same parts of the whole.
-  const auto corner = [&](uint32_t cell) { return std::max(cell % columns * rows, cell / columns * columns); };
-  std::vector<uint32_t> byCorner(dimensions.cells()), arrangement(dimensions.cells());
-  std::iota(byCorner.begin(), byCorner.end(), 0u);
-  std::stable_sort(byCorner.begin(), byCorner.end(), [&](uint32_t a, uint32_t b) { return corner(a) < corner(b); });
-  for (uint32_t id = 0; id < byCorner.size(); ++id) arrangement[byCorner[id]] = id;
-  return arrangement;
-}
-
 GameState::GameState(Queue& queue, const SimulationConfig& config)
-    : limits_(limitsOf(checked(config))), broadPhase_(config.broadPhase), gather_(config.gather), sort_(config.sort) {
+    : limits_(limitsOf(config)), neighbourhood_(queue, config, limits_.width_m, limits_.height_m) {
   const uint32_t n = limits_.capacity;
-  grid_ = NGrid(queue, dimensionsOf(config));
   birthScan_ = Scan(queue, n);
   hashSum_ = Reduce(queue, n);
   tables = Buffer<Tables>(queue, 1);
@@ -77,8 +48,8 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   pushSum = Buffer<uint64_t>(queue, 3 * size_t(n));
   for (auto* words : {&births, &hashes, &threat}) *words = Buffer<uint64_t>(queue, n);
 
-  const bool arranged = isArrangementState(gather_);
-  const std::vector<uint32_t> ids = arranged ? startArrangement(grid_.dimensions()) : std::vector<uint32_t>{};
+  const bool arranged = isArrangementState(config.gather);
+  const std::vector<uint32_t> ids = arranged ? startArrangement(neighbourhood_.dimensions()) : std::vector<uint32_t>{};
   std::vector<Cell> empty(n);
   std::vector<uint32_t> own(n);
   for (uint32_t i = 0; i < n; ++i) {
@@ -114,8 +85,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   master.upload(&start, 1);
 
   if (!arranged) {
-    grid_.rebuild(queue, cells[0].data(), cellOf.data());
-    grid_.rebuild(queue, cells[1].data(), cellOf.data());
+    for (Buffer<Cell>& side : cells) neighbourhood_.arrange(queue, side.data(), cellOf.data());
   }
   queue.synchronise();
 }
@@ -131,8 +101,8 @@ View GameState::view(uint32_t parity) const {
   v.cells = cells[front].data();
   v.moved = cells[back].data();
   v.cellOf = cellOf.data();
-  v.grid = grid_.view(v.cells);
-  v.seenGrid = grid_.view(v.moved);
+  v.near = neighbourhood_.searches(v.cells);
+  v.seen = neighbourhood_.searches(v.moved);
   v.forceEnergy = forceEnergy[front].data();
   v.nextForceEnergy = forceEnergy[back].data();
   v.directionMass = directionMass[front].data();
@@ -153,9 +123,6 @@ View GameState::view(uint32_t parity) const {
   v.threat = threat.data();
   v.hashes = hashes.data();
   v.capacity = limits_.capacity;
-  v.broadPhase = broadPhase_;
-  v.gather = gather_;
-  v.sort = sort_;
   return v;
 }
 

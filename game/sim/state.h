@@ -6,14 +6,11 @@
 // (force + energy, direction + mass) take turns likewise: think reads the front, writes the back.
 #pragma once
 
+#include "game/sim/broad_phase.h"
 #include "game/sim/master.h"
 #include "game/sim/simulation.h"
 #include "game/sim/state_tables.h"
-#include "gpu/brute_force.h"
-#include "gpu/ngrid.h"
-#include "gpu/row_gather.h"
 #include "gpu/scan_reduce.h"
-#include "gpu/window_gather.h"
 
 namespace gw::GW_DEVICE {
 
@@ -33,9 +30,9 @@ struct View {
   TickReport* reports;  // ring of kTicksInFlight, by tick
 
   Cell *cells, *moved;
-  uint32_t* cellOf;    // [id]
-  NGridView grid;      // over cells
-  NGridView seenGrid;  // over moved, before integrate overwrites it: last tick's start, what the bots see
+  uint32_t* cellOf;  // [id]
+  Searches near;     // over cells
+  Searches seen;     // over moved, before integrate overwrites it: last tick's start, what the bots see
 
   // By id. Enemies, shots and bits use them as noted.
   Float4 *forceEnergy, *nextForceEnergy;      // force x, y (N); 0; energy (a shot's damage)
@@ -59,9 +56,6 @@ struct View {
   uint64_t* hashes;    // by cell
 
   uint32_t capacity;
-  BroadPhase broadPhase;
-  Gather gather;
-  Sort sort;
 };
 
 // Purposes of random numbers: the third word of a counter. Never reuse or renumber.
@@ -75,31 +69,6 @@ enum Purpose : uint32_t {
   // For looks only, from here on.
   kPurposeParticles = 64,  // (tick, source, ., particle of its burst) way, speed, life and size of a spark
 };
-
-// Launches with the search that was asked for, over `cells` and the grid of them. Kernels ask it by around() and
-// after(), which every search has: their askers stand in a cell.
-template <class Launch>
-void withSearchOf(const View& view, const Cell* cells, const NGridView& grid, const Launch& launch) {
-  if (view.broadPhase == BroadPhase::bruteForce) {
-    launch(BruteForce{cells, view.capacity});
-  } else if (view.gather == Gather::adaptive) {
-    launch(AdaptiveGather{grid});
-  } else if (view.gather == Gather::fixed) {
-    launch(FixedGather{grid});
-  } else {
-    launch(RowGather{grid});
-  }
-}
-
-template <class Launch>
-void withSearch(const View& view, const Launch& launch) {
-  withSearchOf(view, view.cells, view.grid, launch);
-}
-
-// With an inexact gather the arrangement of the cells is felt: it is state.
-inline bool isArrangementState(Gather gather) {
-  return gather != Gather::exact;
-}
 
 GW_FN bool isEnemy(uint32_t type) {
   return type < kMaxEnemyTypes;
@@ -117,19 +86,13 @@ GW_FN float reachOf(const EnemyRules& rules) {
              : sqrtf(rules.halfWidth_m * rules.halfWidth_m + rules.halfHeight_m * rules.halfHeight_m);
 }
 
-// The id in each cell at the start of a game with an inexact gather: a corner of the grid with the grid's own shape
-// holds the lowest ids, however many are alive, so that they fill it as they would fill all of it. The
-// upkeep of empty cells leaves it as it is.
-std::vector<uint32_t> startArrangement(NDimensions dimensions);
-
 class GameState {
  public:
   GameState(Queue& queue, const SimulationConfig& config);
 
   View view(uint32_t parity) const;  // parity of the tick
   const Limits& limits() const { return limits_; }
-  Gather gather() const { return gather_; }
-  NGrid& grid() { return grid_; }
+  Neighbourhood& neighbourhood() { return neighbourhood_; }
   Scan& birthScan() { return birthScan_; }
   Reduce& hashSum() { return hashSum_; }
 
@@ -149,10 +112,7 @@ class GameState {
 
  private:
   Limits limits_;
-  BroadPhase broadPhase_;
-  Gather gather_;
-  Sort sort_;
-  NGrid grid_;
+  Neighbourhood neighbourhood_;
   Scan birthScan_;
   Reduce hashSum_;
 };

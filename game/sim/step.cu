@@ -8,7 +8,7 @@ void step(Queue& queue, GameState& state, uint32_t parity, Autopilot who, StageT
   timer.time(queue, "autopilot", [&] { autopilot(queue, v, who); });
   timer.time(queue, "logic", [&] { logic(queue, v); });
   timer.time(queue, "spawn", [&] { spawn(queue, v, state.birthScan()); });
-  timer.time(queue, "maintain", [&] { maintain(queue, v, state.grid()); });
+  timer.time(queue, "maintain", [&] { maintain(queue, v, state.neighbourhood()); });
   timer.time(queue, "think", [&] { think(queue, v); });
   timer.time(queue, "integrate", [&] { integrate(queue, v); });
   timer.time(queue, "collide", [&] { collide(queue, v); });

@@ -196,7 +196,7 @@ struct Think {
 
 void think(Queue& queue, const View& view) {
   const Count all{view.capacity};
-  withSearch(view, [&](auto search) {
+  withSearch(view.near, [&](auto search) {
     forEach(queue, all, Warn<decltype(search)>{view, search});
     forEach(queue, all, Think<decltype(search)>{view, search});
   });

@@ -101,6 +101,8 @@ TEST(CommandLine, TakesGatherAndSort) {
   EXPECT_EQ(both.sort, Sort::oddEven);
   EXPECT_EQ(accepted("--gather adaptive --broad-phase ngrid").gather, Gather::adaptive);
   EXPECT_EQ(accepted("--gather exact --broad-phase brute").gather, Gather::exact);
+  EXPECT_EQ(accepted("--broad-phase grid").broadPhase, BroadPhase::grid);
+  EXPECT_EQ(accepted("--broad-phase grid-hashed").broadPhase, BroadPhase::gridHashed);
   // What the file holds is not known yet.
   EXPECT_EQ(accepted("verify a --sort odd-even").sort, Sort::oddEven);
 }
@@ -155,15 +157,13 @@ const Refusal kRefusals[] = {
     // Later versions' business, by name.
     {"--sort full", "'--sort full' is not in this version yet; choose bitonic|odd-even"},
     {"--sort frozen", "'--sort frozen' is not in this version yet; choose bitonic|odd-even"},
-    {"--broad-phase grid", "'--broad-phase grid' is not in this version yet; choose ngrid|brute"},
-    {"--broad-phase grid-hashed", "'--broad-phase grid-hashed' is not in this version yet; choose ngrid|brute"},
     {"profile", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
     {"profile --help", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
     {"render a.gwr --out b", "'gpuwars render' is not in this version yet; see 'gpuwars --help' for what is"},
     // Values.
     {"--mode chess", "'--mode chess' is not known; choose arcade|deadline|swarm|practice"},
     {"--device gpu", "'--device gpu' is not known; choose auto|cuda|cpu"},
-    {"--broad-phase tree", "'--broad-phase tree' is not known; choose ngrid|brute"},
+    {"--broad-phase tree", "'--broad-phase tree' is not known; choose ngrid|grid|grid-hashed|brute"},
     {"--autopilot pro", "'--autopilot pro' is not known; choose novice|expert"},
     {"--autopilot", "'--autopilot' needs a value; see 'gpuwars play --help'"},
     {"--order random", "'--order random' is not known; choose forward|reversed|shuffled"},
@@ -209,6 +209,8 @@ const Refusal kRefusals[] = {
      "'--gather fixed'"},
     {"--gather fixed --broad-phase brute",
      "'--gather fixed' asks the NGrid, which '--broad-phase brute' does without; leave out one of the two"},
+    {"--gather adaptive --broad-phase grid-hashed",
+     "'--gather adaptive' asks the NGrid, which '--broad-phase grid-hashed' does without; leave out one of the two"},
     {"verify a --thesis --broad-phase brute",
      "'--thesis' asks the NGrid, which '--broad-phase brute' does without; leave out one of the two"},
     {"--thesis --gather fixed",

@@ -82,7 +82,7 @@ TEST_P(GameParity, EveryTickHasTheSameHash) {
   ASSERT_GT(expected.end.entities.size(), 10u) << "too little happened to compare";
   ASSERT_GT(expected.particles.size(), 10u) << "too little happened to compare";
   EXPECT_NE(expected.hashes.front(), expected.hashes.back());
-  for (BroadPhase broadPhase : {BroadPhase::ngrid, BroadPhase::bruteForce}) {
+  for (BroadPhase broadPhase : {BroadPhase::ngrid, BroadPhase::grid, BroadPhase::gridHashed, BroadPhase::bruteForce}) {
     for (uint32_t blockSize : {64u, 128u, 256u}) {
       config.broadPhase = broadPhase;
       config.blockSize = blockSize;

@@ -47,7 +47,7 @@ RC_GTEST_PROP(Scan, KeepsPackedHalvesApart, ()) {
   uint64_t low = 0, high = 0;
   for (size_t i = 0; i < size; ++i) {
     RC_ASSERT((before[i] & 0xFFFFFFFFu) == low);
-    RC_ASSERT(before[i] >> 32 == high);
+    RC_ASSERT((before[i] >> 32) == high);
     low += lows[i];
     high += highs[i];
   }

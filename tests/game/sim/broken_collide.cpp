@@ -48,8 +48,8 @@ struct Broken {
 };
 
 template <class Launch>
-void withBrokenSearch(const View& view, const Launch& launch) {
-  withSearch(view, [&](auto search) { launch(Broken<decltype(search)>{search}); });
+void withBrokenSearch(const Searches& near, const Launch& launch) {
+  withSearch(near, [&](auto search) { launch(Broken<decltype(search)>{search}); });
 }
 
 }  // namespace

@@ -32,7 +32,9 @@ uint32_t differences(BroadPhase broadPhase, cpu::Break how) {
 }
 
 class collide_search : public ::testing::TestWithParam<BroadPhase> {};
-INSTANTIATE_TEST_SUITE_P(both, collide_search, ::testing::Values(BroadPhase::ngrid, BroadPhase::bruteForce));
+INSTANTIATE_TEST_SUITE_P(all, collide_search,
+                         ::testing::Values(BroadPhase::ngrid, BroadPhase::grid, BroadPhase::gridHashed,
+                                           BroadPhase::bruteForce));
 
 TEST_P(collide_search, a_whole_search_gives_the_naive_result) {
   EXPECT_EQ(differences(GetParam(), cpu::Break::nothing), 0u);

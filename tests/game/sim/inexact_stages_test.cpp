@@ -81,7 +81,7 @@ class asymmetric_window : public ::testing::Test {
     world.add(enemyAt(rules, kFar, 0, 90.0f, 50.2f));
     world.add(enemyAt(rules, kVictim, 0, 51.0f, 50.0f));
     fixture.begin(world);
-    const uint32_t columns = fixture.state().grid().dimensions().columns;
+    const uint32_t columns = fixture.state().neighbourhood().dimensions().columns;
     arrange(fixture, {{0, kShot}, {1, kHigh}, {columns, kFar}, {columns + 1, kVictim}});
     cpu::integrate(fixture.queue(), fixture.view());
     cpu::collide(fixture.queue(), fixture.view());
@@ -131,9 +131,9 @@ TEST(start_arrangement, upkeep_of_empty_cells_leaves_it) {
       for (const Cell& cell : fixture.state().cells[0].download()) ids.push_back(cell.id);
       return ids;
     };
-    EXPECT_EQ(idsOf(), cpu::startArrangement(fixture.state().grid().dimensions()));
-    cpu::maintain(fixture.queue(), fixture.view(), fixture.state().grid());
-    EXPECT_EQ(idsOf(), cpu::startArrangement(fixture.state().grid().dimensions()));
+    EXPECT_EQ(idsOf(), cpu::startArrangement(fixture.state().neighbourhood().dimensions()));
+    cpu::maintain(fixture.queue(), fixture.view(), fixture.state().neighbourhood());
+    EXPECT_EQ(idsOf(), cpu::startArrangement(fixture.state().neighbourhood().dimensions()));
   }
 }
 

@@ -27,22 +27,22 @@ class maintain : public ::testing::Test {
       EXPECT_EQ(++seen[cells[i].id], 1u) << "id " << cells[i].id << " stands twice";
       EXPECT_EQ(cellOf[cells[i].id], i);
     }
-    for (uint32_t row = 0; row < v.grid.rows; ++row) {
+    for (uint32_t row = 0; row < v.near.ngrid.rows; ++row) {
       float low = cpu::kInfinity, high = -cpu::kInfinity;
       uint32_t living = 0;
-      for (uint32_t c = 0; c < v.grid.columns; ++c) {
-        const Cell& cell = cells[row * v.grid.columns + c];
+      for (uint32_t c = 0; c < v.near.ngrid.columns; ++c) {
+        const Cell& cell = cells[row * v.near.ngrid.columns + c];
         if (c > 0) {
-          EXPECT_LE(cells[row * v.grid.columns + c - 1].x, cell.x) << "row " << row;
+          EXPECT_LE(cells[row * v.near.ngrid.columns + c - 1].x, cell.x) << "row " << row;
         }
         if (cell.type == kTypeNone) continue;
         ++living;
         low = std::min(low, cell.y);
         high = std::max(high, cell.y);
       }
-      EXPECT_EQ(v.grid.living[row], living) << "row " << row;
-      EXPECT_EQ(v.grid.low[row], low) << "row " << row;
-      EXPECT_EQ(v.grid.high[row], high) << "row " << row;
+      EXPECT_EQ(v.near.ngrid.living[row], living) << "row " << row;
+      EXPECT_EQ(v.near.ngrid.low[row], low) << "row " << row;
+      EXPECT_EQ(v.near.ngrid.high[row], high) << "row " << row;
     }
   }
 };
@@ -53,7 +53,7 @@ TEST_F(maintain, keeps_the_properties_through_motion_births_and_deaths) {
   fixture.put(world);
   uint32_t next = world.entities.back().id + 1;
   for (int tick = 0; tick < 40; ++tick) {
-    cpu::maintain(fixture.queue(), fixture.view(), fixture.state().grid());
+    cpu::maintain(fixture.queue(), fixture.view(), fixture.state().neighbourhood());
     checkArrangement();
     // Between ticks some move, some die and some are born: in place, as spawn and integrate leave them.
     auto cells = fixture.state().cells[0].download();
@@ -76,18 +76,18 @@ TEST_F(maintain, loses_and_changes_nobody) {
   addCrowd(world, 250, 200, 400, 50.0f, dice);
   fixture.put(world);
   const auto before = fixture.entities(false, false);
-  for (int pass = 0; pass < 5; ++pass) cpu::maintain(fixture.queue(), fixture.view(), fixture.state().grid());
+  for (int pass = 0; pass < 5; ++pass) cpu::maintain(fixture.queue(), fixture.view(), fixture.state().neighbourhood());
   EXPECT_TRUE(same(fixture.entities(false, false), before));
 }
 
 TEST_F(maintain, everybody_on_one_place_and_nobody_at_all) {
   for (uint32_t i = 0; i < 700; ++i) world.add(bitAt(fixture.rules(), i, 60.0f, 50.0f));
   fixture.put(world);
-  for (int pass = 0; pass < 3; ++pass) cpu::maintain(fixture.queue(), fixture.view(), fixture.state().grid());
+  for (int pass = 0; pass < 3; ++pass) cpu::maintain(fixture.queue(), fixture.view(), fixture.state().neighbourhood());
   checkArrangement();
   world.entities.clear();
   fixture.put(world);
-  cpu::maintain(fixture.queue(), fixture.view(), fixture.state().grid());
+  cpu::maintain(fixture.queue(), fixture.view(), fixture.state().neighbourhood());
   checkArrangement();
 }
 

@@ -41,7 +41,8 @@ TEST(snapshot, comes_back_byte_by_byte) {
 
 class snapshot_continued : public ::testing::TestWithParam<std::tuple<BroadPhase, Autopilot>> {};
 INSTANTIATE_TEST_SUITE_P(all, snapshot_continued,
-                         ::testing::Combine(::testing::Values(BroadPhase::ngrid, BroadPhase::bruteForce),
+                         ::testing::Combine(::testing::Values(BroadPhase::ngrid, BroadPhase::grid,
+                                                              BroadPhase::gridHashed, BroadPhase::bruteForce),
                                             ::testing::Values(Autopilot::none, Autopilot::novice, Autopilot::expert)));
 
 TEST_P(snapshot_continued, gives_the_hashes_of_the_uninterrupted_game) {

@@ -89,7 +89,7 @@ void StageFixture::begin(const naive::World& world) {
   TickScratch fresh;  // as logic leaves it when it orders nothing
   fresh.sequence = scratch().sequence;
   setScratch(fresh);
-  cpu::maintain(queue_, view_, state_.grid());
+  cpu::maintain(queue_, view_, state_.neighbourhood());
   state_.forceEnergy[1].upload(state_.forceEnergy[0].download());
   state_.directionMass[1].upload(state_.directionMass[0].download());
   state_.event.upload(std::vector<uint32_t>(state_.event.size()));

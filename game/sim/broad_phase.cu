@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "game/sim/broad_phase.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+// Of both uniform grids: every type sees as far as this, and it is what most searches ask for.
+constexpr float kBinSize_m = 4.0f;
+
+const SimulationConfig& checked(const SimulationConfig& config) {
+  if (config.gather == Gather::exact && config.sort != Sort::bitonic) {
+    throw std::invalid_argument("An exact gather needs rows in order, which odd-even transposition does not keep.");
+  }
+  if (config.gather != Gather::exact && config.broadPhase != BroadPhase::ngrid) {
+    throw std::invalid_argument("An inexact gather is the NGrid's: no other broad phase finds the same.");
+  }
+  return config;
+}
+
+}  // namespace
+
+NDimensions dimensionsOf(const SimulationConfig& config) {
+  const uint32_t n = config.enemies + kShotCapacity + kBitCapacity;
+  if (!isArrangementState(config.gather)) return chooseDimensions(n);
+  return chooseWindowDimensions(n, config.rules.world.width_m / config.rules.world.height_m);
+}
+
+std::vector<uint32_t> startArrangement(NDimensions dimensions) {
+  const uint64_t columns = dimensions.columns, rows = dimensions.rows;
+  // How large a corner has to be to hold a cell: along rows and columns in the same parts of the whole.
+  const auto corner = [&](uint32_t cell) { return std::max(cell % columns * rows, cell / columns * columns); };
+  std::vector<uint32_t> byCorner(dimensions.cells()), arrangement(dimensions.cells());
+  std::iota(byCorner.begin(), byCorner.end(), 0u);
+  std::stable_sort(byCorner.begin(), byCorner.end(), [&](uint32_t a, uint32_t b) { return corner(a) < corner(b); });
+  for (uint32_t id = 0; id < byCorner.size(); ++id) arrangement[byCorner[id]] = id;
+  return arrangement;
+}
+
+Neighbourhood::Neighbourhood(Queue& queue, const SimulationConfig& config, float width_m, float height_m)
+    : broadPhase_(checked(config).broadPhase),
+      gather_(config.gather),
+      sort_(config.sort),
+      dimensions_(dimensionsOf(config)) {
+  const uint32_t n = dimensions_.cells();
+  if (broadPhase_ == BroadPhase::ngrid) ngrid_ = NGrid(queue, dimensions_);
+  if (broadPhase_ == BroadPhase::grid) {
+    grid_ = UniformGrid<Cell>(queue, n, binsOver(Float2{0.0f, 0.0f}, Float2{width_m, height_m}, kBinSize_m, n));
+  }
+  if (broadPhase_ == BroadPhase::gridHashed) hashed_ = HashedGrid<Cell>(queue, n, kBinSize_m);
+}
+
+Searches Neighbourhood::searches(const Cell* d_cells) const {
+  Searches all{};
+  all.cells = d_cells;
+  all.capacity = dimensions_.cells();
+  all.broadPhase = broadPhase_;
+  all.gather = gather_;
+  if (broadPhase_ == BroadPhase::ngrid) all.ngrid = ngrid_.view(d_cells);
+  if (broadPhase_ == BroadPhase::grid) all.grid = grid_.view(d_cells);
+  if (broadPhase_ == BroadPhase::gridHashed) all.hashed = hashed_.view(d_cells);
+  return all;
+}
+
+void Neighbourhood::arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
+  if (broadPhase_ != BroadPhase::ngrid) {
+    maintain(queue, d_cells, d_cellOf, nullptr);
+  } else if (isArrangementState(gather_)) {
+    ngrid_.settle(queue, d_cells, d_cellOf);
+  } else {
+    ngrid_.rebuild(queue, d_cells, d_cellOf);
+  }
+}
+
+void Neighbourhood::maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
+  switch (broadPhase_) {
+    case BroadPhase::ngrid:
+      if (!isArrangementState(gather_)) d_hold = nullptr;
+      if (sort_ == Sort::oddEven) return ngrid_.transpose(queue, d_cells, d_cellOf, d_hold);
+      return ngrid_.maintain(queue, d_cells, d_cellOf, d_hold);
+    case BroadPhase::grid:
+      return grid_.maintain(queue, d_cells, d_cellOf);
+    case BroadPhase::gridHashed:
+      return hashed_.maintain(queue, d_cells);
+    case BroadPhase::bruteForce:
+      return;  // has nothing to keep
+  }
+}
+
+}  // namespace gw::GW_DEVICE

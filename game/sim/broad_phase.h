@@ -1,0 +1,99 @@
+// What neighbours are found by. The game asks through withSearch() and does not know which it is: all exact ones
+// find the same, hash for hash.
+#pragma once
+
+#include "game/sim/master.h"
+#include "game/sim/simulation.h"
+#include "gpu/brute_force.h"
+#include "gpu/hashed_grid.h"
+#include "gpu/ngrid.h"
+#include "gpu/row_gather.h"
+#include "gpu/uniform_grid.h"
+#include "gpu/window_gather.h"
+
+namespace gw::GW_DEVICE {
+
+// With an inexact gather the arrangement of the cells is felt: it is state.
+inline bool isArrangementState(Gather gather) {
+  return gather != Gather::exact;
+}
+
+// Views of every structure over one column of cells; only those of the one in use are filled in.
+struct Searches {
+  const Cell* cells;
+  uint32_t capacity;
+  BroadPhase broadPhase;
+  Gather gather;
+  NGridView ngrid;
+  GridGather<Cell> grid;
+  HashedGather<Cell> hashed;
+};
+
+// Launches with the exact search that was asked for.
+template <class Launch>
+void withExactSearch(const Searches& searches, const Launch& launch) {
+  switch (searches.broadPhase) {
+    case BroadPhase::ngrid:
+      return launch(RowGather{searches.ngrid});
+    case BroadPhase::grid:
+      return launch(searches.grid);
+    case BroadPhase::gridHashed:
+      return launch(searches.hashed);
+    case BroadPhase::bruteForce:
+      return launch(BruteForce<Cell>{searches.cells, searches.capacity});
+  }
+}
+
+// Launches with the search that was asked for, for askers that stand in a cell: kernels ask it by around() and after(),
+// which every search has.
+template <class Launch>
+void withSearch(const Searches& searches, const Launch& launch) {
+  if (searches.gather == Gather::adaptive) return launch(AdaptiveGather{searches.ngrid});
+  if (searches.gather == Gather::fixed) return launch(FixedGather{searches.ngrid});
+  withExactSearch(searches, launch);
+}
+
+// The same for an asker that stands in no cell. Inexact gathers have no window for it and look at everybody.
+template <class Launch>
+void withSearchFromAnywhere(const Searches& searches, const Launch& launch) {
+  if (isArrangementState(searches.gather)) return launch(BruteForce<Cell>{searches.cells, searches.capacity});
+  withExactSearch(searches, launch);
+}
+
+// Exact gathers ask by rows, windows by both axes. The world of a game without a grid yet is known by its aspect.
+NDimensions dimensionsOf(const SimulationConfig& config);
+
+// The id in each cell at the start of a game with an inexact gather: a corner of the grid with the grid's own shape
+// holds the lowest ids, however many are alive, so that they fill it as they would fill all of it. The
+// upkeep of empty cells leaves it as it is.
+std::vector<uint32_t> startArrangement(NDimensions dimensions);
+
+// The structure in use, and its upkeep.
+class Neighbourhood {
+ public:
+  Neighbourhood() = default;
+  // Throws std::invalid_argument when the gather, the sort and the broad phase do not go together.
+  Neighbourhood(Queue& queue, const SimulationConfig& config, float width_m, float height_m);
+
+  Searches searches(const Cell* d_cells) const;
+  Gather gather() const { return gather_; }
+  NDimensions dimensions() const { return dimensions_; }
+
+  // After a start or a restored snapshot: from any arrangement. A gather that feels the arrangement gets one that
+  // suits it.
+  void arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+
+  // Once a tick, after motion. Nothing moves while the word at d_hold is not 0, where the arrangement is state.
+  void maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold);
+
+ private:
+  BroadPhase broadPhase_{};
+  Gather gather_{};
+  Sort sort_{};
+  NDimensions dimensions_;
+  NGrid ngrid_;
+  UniformGrid<Cell> grid_;
+  HashedGrid<Cell> hashed_;
+};
+
+}  // namespace gw::GW_DEVICE
