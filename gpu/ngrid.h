@@ -61,6 +61,7 @@ class NGrid {
 
   NDimensions dimensions() const { return dimensions_; }
   NGridView view(const Cell* d_cells) const;
+  size_t bytes() const;  // of device memory beyond the cells
 
   // Upkeep after motion: sorts each column by y, then each row by x, and refreshes the rows' intervals.
   // d_cellOf[id] becomes the cell of that id (ids are 0 .. cells - 1, each in exactly one cell). One pass

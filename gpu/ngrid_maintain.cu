@@ -203,6 +203,11 @@ NGridView NGrid::view(const Cell* d_cells) const {
           high_.data(), living_.data(),      reachHigh_.data(), reachLow_.data()};
 }
 
+size_t NGrid::bytes() const {
+  return size_t(dimensions_.rows) * (4 * sizeof(float) + sizeof(uint32_t)) + byY_.bytes() +
+         scratch_.size() * sizeof(Cell);
+}
+
 void NGrid::maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
   constexpr uint32_t kTile = SortColumns::kTile;
   forEachTeam(queue, (dimensions_.columns + kTile - 1) / kTile, SortColumns{d_cells, d_hold, dimensions_});

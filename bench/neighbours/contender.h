@@ -1,0 +1,59 @@
+// What the bench asks of a way to find neighbours, on whatever device. All are handed the same places.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/exec_options.h"
+#include "gpu/plain_types.h"
+
+namespace gw::bench {
+
+template <class CellT>
+class Contender {
+ public:
+  virtual ~Contender() = default;
+  virtual void start(const std::vector<CellT>& byId) = 0;  // construction, from an arbitrary arrangement
+  virtual void move(const std::vector<CellT>& byId) = 0;   // new places; not timed
+  virtual void maintain() = 0;                             // upkeep after motion
+  virtual void gather() = 0;                               // counts everybody's neighbours
+  virtual void synchronise() = 0;                          // waits until all that was asked for is done
+  virtual std::vector<uint32_t> counts() = 0;              // by id, of the last gather(); each counts itself
+  virtual uint64_t candidates() = 0;                       // pair tests of one gather
+  virtual size_t bytes() const = 0;                        // of memory beyond the array of entities
+};
+
+// What all structures may know beforehand: where everybody stays, and how far they look.
+struct Place {
+  float world[3];
+  float radius;
+};
+
+struct Way {
+  const char* name;
+  bool exact;
+  // So slow that large crowds are left out: the most entities it is given.
+  uint32_t most;
+};
+
+}  // namespace gw::bench
+
+// The ways of one device; the numbers of makeContender() are their places in this list.
+namespace gw::cpu {
+std::vector<bench::Way> ways2();
+std::vector<bench::Way> ways3();
+std::unique_ptr<bench::Contender<Cell>> makeContender2(size_t way, const ExecOptions&, const bench::Place&, uint32_t n);
+std::unique_ptr<bench::Contender<Cell3>> makeContender3(size_t way, const ExecOptions&, const bench::Place&,
+                                                        uint32_t n);
+}  // namespace gw::cpu
+#ifdef GW_HAVE_CUDA
+namespace gw::cuda {
+std::vector<bench::Way> ways2();
+std::vector<bench::Way> ways3();
+std::unique_ptr<bench::Contender<Cell>> makeContender2(size_t way, const ExecOptions&, const bench::Place&, uint32_t n);
+std::unique_ptr<bench::Contender<Cell3>> makeContender3(size_t way, const ExecOptions&, const bench::Place&,
+                                                        uint32_t n);
+}  // namespace gw::cuda
+#endif

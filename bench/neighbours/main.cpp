@@ -1,0 +1,182 @@
+// Every way to find neighbours on the same moving crowds: upkeep, gathering, what is missed, memory.
+//
+//   build/release/gw_bench_neighbours --entities 8192,65536 --distribution swarm --motion 0.1 --out table.md --csv
+//   all.csv
+//
+// One run: in each frame all ways are handed the same places and take turns, so that drift of the machine meets all
+// alike. Figures are medians over the frames, in milliseconds that passed. What is missed is counted against the first
+// exact way; a run fails when two exact ways disagree about anybody.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "bench/machine.h"
+#include "bench/neighbours/contender.h"
+#include "bench/neighbours/crowd.h"
+#include "bench/neighbours/table.h"
+#include "bench/scenes.h"
+
+namespace {
+
+using namespace gw;
+using namespace gw::bench;
+
+struct Wanted {
+  std::vector<uint32_t> entities{8192, 65536};
+  std::vector<std::string> distributions{"uniform", "swarm"}, only;
+  std::vector<float> motions{0.1f};
+  std::vector<uint32_t> dimensions{2};
+  uint32_t frames = 100, threads = 0;
+  std::string out, csv;
+};
+
+template <class CellT>
+struct Entrant {
+  Way way;
+  std::unique_ptr<Contender<CellT>> contender;
+  double build_ms = 0.0;
+  std::vector<double> maintain_ms{}, gather_ms{}, total_ms{};
+  uint64_t found = 0, missed = 0;
+};
+
+std::unique_ptr<Contender<Cell>> make(const Crowd<Cell>&, size_t way, const ExecOptions& o, const Place& p,
+                                      uint32_t n) {
+  return cpu::makeContender2(way, o, p, n);
+}
+std::unique_ptr<Contender<Cell3>> make(const Crowd<Cell3>&, size_t way, const ExecOptions& o, const Place& p,
+                                       uint32_t n) {
+  return cpu::makeContender3(way, o, p, n);
+}
+
+template <class CellT>
+void playFrame(Entrant<CellT>& e, const std::vector<CellT>& byId) {
+  e.contender->move(byId);
+  const double maintain = milliseconds([&] {
+    e.contender->maintain();
+    e.contender->synchronise();
+  });
+  const double gather = milliseconds([&] {
+    e.contender->gather();
+    e.contender->synchronise();
+  });
+  e.maintain_ms.push_back(maintain);
+  e.gather_ms.push_back(gather);
+  e.total_ms.push_back(maintain + gather);
+}
+
+// Adds what was found and missed in the last frame. Throws when an exact way found something else.
+template <class CellT>
+void compare(Entrant<CellT>& e, const std::vector<uint32_t>& truth) {
+  const std::vector<uint32_t> counts = e.contender->counts();
+  for (size_t id = 0; id < truth.size(); ++id) {
+    e.found += counts[id] - 1;
+    e.missed += truth[id] - counts[id];
+    if (counts[id] > truth[id] || (e.way.exact && counts[id] != truth[id])) {
+      throw std::runtime_error(std::string(e.way.name) + " found " + std::to_string(counts[id]) + " instead of " +
+                               std::to_string(truth[id]) + " for entity " + std::to_string(id));
+    }
+  }
+}
+
+template <class CellT>
+void run(const Wanted& wanted, const std::vector<Way>& ways, uint32_t dimensions, uint32_t n, Distribution distribution,
+         float motion, std::vector<Row>& rows) {
+  Crowd<CellT> crowd(n, distribution, 1);
+  const Place place{{crowd.world[0], crowd.world[1], crowd.world[2]}, crowd.radius};
+  std::vector<Entrant<CellT>> entrants;
+  for (size_t w = 0; w < ways.size(); ++w) {
+    const bool asked =
+        wanted.only.empty() || std::any_of(wanted.only.begin(), wanted.only.end(), [&](const std::string& part) {
+          return std::string(ways[w].name).find(part) != std::string::npos;
+        });
+    if (n > ways[w].most || (w > 0 && !asked)) continue;  // the first is what the others are compared with
+    Entrant<CellT> e{ways[w], make(crowd, w, {wanted.threads}, place, n)};
+    e.build_ms = milliseconds([&] { e.contender->start(crowd.byId); });
+    entrants.push_back(std::move(e));
+  }
+  const uint32_t frames = std::max(3u, std::min(wanted.frames, uint32_t(100.0 * 65536.0 / double(n))));
+  for (uint32_t frame = 0; frame < frames; ++frame) {
+    crowd.step(motion);
+    for (Entrant<CellT>& e : entrants) {
+      if (e.way.most < ~0u && frame % 10 != 0) continue;  // the slowest only now and then
+      playFrame(e, crowd.byId);
+    }
+    if (frame % 10 != 0) continue;
+    const std::vector<uint32_t> truth = entrants[0].contender->counts();
+    for (Entrant<CellT>& e : entrants) compare(e, truth);
+  }
+  const double best = median(entrants[0].total_ms);
+  for (Entrant<CellT>& e : entrants) {
+    rows.push_back({dimensions, n, kDistributions[int(distribution)], motion, e.way.name, crowd.neighbours, e.build_ms,
+                    median(e.maintain_ms), median(e.gather_ms), median(e.total_ms), best,
+                    double(e.contender->candidates()) / double(n),
+                    e.found + e.missed ? double(e.found) / double(e.found + e.missed) : 1.0, e.missed,
+                    e.contender->bytes()});
+    std::fprintf(stderr, "%uD %u %s %g %s: %.3f ms, %.2f of the grid's\n", dimensions, n,
+                 kDistributions[int(distribution)], double(motion), e.way.name, rows.back().total,
+                 rows.back().total / best);
+  }
+}
+
+Distribution named(const std::string& name) {
+  const auto found = std::find(std::begin(kDistributions), std::end(kDistributions), name);
+  if (found == std::end(kDistributions)) throw std::runtime_error("There is no distribution '" + name + "'.");
+  return Distribution(found - std::begin(kDistributions));
+}
+
+void measure(const Wanted& wanted) {
+  std::vector<Row> rows;
+  for (const uint32_t d : wanted.dimensions) {
+    for (const uint32_t n : wanted.entities) {
+      for (const std::string& name : wanted.distributions) {
+        for (const float motion : wanted.motions) {
+          if (d == 3) {
+            run<Cell3>(wanted, cpu::ways3(), d, n, named(name), motion, rows);
+          } else {
+            run<Cell>(wanted, cpu::ways2(), d, n, named(name), motion, rows);
+          }
+        }
+      }
+    }
+  }
+  std::ostringstream heading;
+  heading << "# Neighbours\n\n"
+          << machineLine() << "\n\nAt most " << wanted.frames << " frames; medians; " << wanted.threads
+          << " threads (0: all); `gw_bench_neighbours`.\n";
+  writeMarkdown(std::cout, rows, heading.str());
+  const auto write = [&](const std::string& path, const auto& content) {
+    if (path.empty()) return;
+    std::ofstream file(path);
+    content(file);
+    if (!file.flush()) throw std::runtime_error("Could not write " + path + "; name a folder that can be written.");
+  };
+  write(wanted.out, [&](std::ostream& file) { writeMarkdown(file, rows, heading.str()); });
+  write(wanted.csv, [&](std::ostream& file) { writeCsv(file, rows); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Wanted wanted;
+  CLI::App app{"Measures every way to find neighbours on the same moving crowds."};
+  app.add_option("--entities", wanted.entities)->delimiter(',')->check(CLI::Range(2, 1 << 22));
+  app.add_option("--distribution", wanted.distributions)->delimiter(',');
+  app.add_option("--motion", wanted.motions, "radii per frame")->delimiter(',')->check(CLI::Range(0.0, 10.0));
+  app.add_option("--dimensions", wanted.dimensions)->delimiter(',')->check(CLI::Range(2, 3));
+  app.add_option("--only", wanted.only, "ways whose names hold one of these")->delimiter(';');
+  app.add_option("--frames", wanted.frames)->check(CLI::Range(3, 100000));
+  app.add_option("--threads", wanted.threads)->check(CLI::Range(0, 256));
+  app.add_option("--out", wanted.out);
+  app.add_option("--csv", wanted.csv);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    measure(wanted);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,28 @@
+// What the bench writes: every measured row as CSV, and a Markdown table for people.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace gw::bench {
+
+struct Row {
+  uint32_t dimensions, entities;
+  std::string distribution;
+  float motion;  // radii per frame
+  std::string way;
+  double neighbours;  // others found per entity
+  double build_ms, maintain_ms, gather_ms;
+  double total, best;  // medians of maintain + gather: of this way, of the grid in the same run
+  double candidates;   // pair tests per entity
+  double recall;       // pairs found of those that brute force would find
+  uint64_t missed;     // pairs, over all measured frames
+  size_t bytes;        // beyond the entities
+};
+
+void writeCsv(std::ostream& out, const std::vector<Row>& rows);
+void writeMarkdown(std::ostream& out, const std::vector<Row>& rows, const std::string& heading);
+
+}  // namespace gw::bench
