@@ -1,6 +1,6 @@
 // Sorting one line of cells, by a whole team, in shared memory. The order is total (ties go to the other
 // axis, then to the id), so the result is unique and each device uses what suits it: bitonic merging
-// (Batcher 1968) on cuda, insertion on cpu, which is linear when little has moved.
+// (Batcher 1968) on cuda; on cpu insertion, which is linear when little has moved, and digits when much has.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@
 namespace gw::GW_DEVICE {
 
 struct ByX {
+  GW_MEMBER float along(const Cell& cell) const { return cell.x; }
   GW_MEMBER bool operator()(const Cell& a, const Cell& b) const {
     if (a.x != b.x) return a.x < b.x;
     if (a.y != b.y) return a.y < b.y;
@@ -24,6 +25,7 @@ struct ByX {
 };
 
 struct ByY {
+  GW_MEMBER float along(const Cell& cell) const { return cell.y; }
   GW_MEMBER bool operator()(const Cell& a, const Cell& b) const {
     if (a.y != b.y) return a.y < b.y;
     if (a.x != b.x) return a.x < b.x;
@@ -61,10 +63,10 @@ GW_BODY void sortLine(const Team& team, Cell* line, uint32_t length, Less less) 
 
 #else
 
-template <uint32_t kLanes, class Team, class Less>
-void sortLine(const Team&, Cell* line, uint32_t length, Less less) {
+// Insertion that gives up when more than `patience` moves show that the line was not nearly in order.
+template <class Less>
+bool insertionSort(Cell* line, uint32_t length, uint64_t patience, Less less) {
   uint64_t moves = 0;
-  const uint64_t patience = 12ull * length;  // beyond it the line was not nearly sorted
   for (uint32_t i = 1; i < length; ++i) {
     if (!less(line[i], line[i - 1])) continue;
     const Cell cell = line[i];
@@ -75,11 +77,49 @@ void sortLine(const Team&, Cell* line, uint32_t length, Less less) {
     } while (hole > 0 && less(cell, line[hole - 1]));
     line[hole] = cell;
     moves += i - hole;
-    if (moves > patience) {
-      std::sort(line, line + length, less);
-      return;
+    if (moves > patience) return false;
+  }
+  return true;
+}
+
+// By digits of the bits of the axis: all but ties, and the two zeros, are then in order. length up to kDigitsLine.
+inline constexpr uint32_t kDigitsLine = 4096;
+template <class Less>
+void digitSort(Cell* line, uint32_t length, Less less) {
+  constexpr uint32_t kBits = 11, kPasses = 3, kValues = 1u << kBits;
+  uint64_t keys[2][kDigitsLine];
+  uint32_t counts[kPasses][kValues] = {};
+  for (uint32_t i = 0; i < length; ++i) {
+    const uint32_t bits = orderedBits(less.along(line[i]));
+    keys[0][i] = uint64_t(bits) << 32 | i;
+    for (uint32_t pass = 0; pass < kPasses; ++pass) ++counts[pass][bits >> (pass * kBits) & (kValues - 1)];
+  }
+  for (uint32_t pass = 0; pass < kPasses; ++pass) {
+    uint32_t sum = 0;
+    for (uint32_t& count : counts[pass]) {
+      const uint32_t mine = count;
+      count = sum;
+      sum += mine;
+    }
+    const uint64_t* from = keys[pass % 2];
+    for (uint32_t i = 0; i < length; ++i) {
+      const uint32_t digit = uint32_t(from[i] >> (32 + pass * kBits)) & (kValues - 1);
+      keys[1 - pass % 2][counts[pass][digit]++] = from[i];
     }
   }
+  Cell sorted[kDigitsLine];
+  for (uint32_t i = 0; i < length; ++i) sorted[i] = line[uint32_t(keys[kPasses % 2][i])];
+  std::copy(sorted, sorted + length, line);
+}
+
+template <uint32_t kLanes, class Team, class Less>
+void sortLine(const Team&, Cell* line, uint32_t length, Less less) {
+  if (insertionSort(line, length, 4ull * length, less)) return;
+  if (length >= 64 && length <= kDigitsLine) {
+    digitSort(line, length, less);
+    if (insertionSort(line, length, 4ull * length, less)) return;
+  }
+  std::sort(line, line + length, less);
 }
 
 #endif

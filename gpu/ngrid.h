@@ -26,6 +26,9 @@ namespace gw::GW_DEVICE {
 // The longest row or column: a line is sorted in a block's shared memory (32 KiB of cells).
 inline constexpr uint32_t kLongestLine = 2048;
 
+// See NGrid::rowsWidened().
+inline constexpr float kWorthRebuilding = 1.3f;
+
 struct NDimensions {
   uint32_t columns = 0, rows = 0;
   uint32_t cells() const { return columns * rows; }
@@ -52,6 +55,18 @@ struct NGridView {
   // The highest `high` of this and earlier rows, the lowest `low` of this and later rows: both ascend, so
   // the rows that can meet an interval are found by bisection.
   const float *reachHigh, *reachLow;
+  // Per row, an index of x: the span from its first to its last living entity is cut into `buckets` equal parts, and
+  // starts[row][b] is the first column in part b or later, starts[row][buckets] the number of the living.
+  const uint16_t* starts;
+  const float *left, *perMetre;  // where the first part begins (m), parts per metre
+  uint32_t buckets;
+
+  // The part that x falls into: monotonic in x, and 0 for NaN.
+  GW_MEMBER uint32_t bucketOf(uint32_t row, float x) const {
+    const float bucket = (x - left[row]) * perMetre[row];
+    if (!(bucket > 0.0f)) return 0;
+    return bucket < float(buckets) ? uint32_t(bucket) : buckets - 1;
+  }
 };
 
 class NGrid {
@@ -69,6 +84,15 @@ class NGrid {
   // Nothing is done while the word at d_hold (if any) is not 0: a captured tick cannot leave a launch out.
   void maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
 
+  // Upkeep with frozen rows: who stands in which row stays as it is, each row is sorted by x, and the rows' intervals
+  // are refreshed. Exact gathers stay exact and slow down while the rows widen: rebuild() when rowsWidened() says so.
+  // O(n) on cpu for the small motion of one tick.
+  void refresh(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+
+  // The summed heights of the rows by what they were after the last rebuild(): 1 or more while all move about, 0 before
+  // the first. A rebuild pays at about kWorthRebuilding. Waits for the queue.
+  float rowsWidened() const;
+
   // Upkeep by partial odd-even transposition: one odd and one even pass along each axis, O(n). An entity moves
   // by at most two cells per axis, so one that is far from its place takes many calls to reach it; repeated
   // calls without motion end with every line in order. Rows are not in order after one call and their
@@ -84,13 +108,16 @@ class NGrid {
   void rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
 
  private:
-  void sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold);
+  void sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool rebuilt);
 
   NDimensions dimensions_;
-  Buffer<float> low_, high_, reachHigh_, reachLow_;
+  Buffer<float> low_, high_, reachHigh_, reachLow_, left_, perMetre_;
   Buffer<uint32_t> living_;
+  Buffer<uint16_t> starts_;
+  uint32_t buckets_ = 0;
   SortKeys byY_;
   Buffer<Cell> scratch_;
+  Buffer<float> heights_;  // of all rows together: now, after the last rebuild
 };
 
 }  // namespace gw::GW_DEVICE

@@ -9,7 +9,7 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-constexpr uint32_t kLineLanes = 256;
+constexpr uint32_t kLineLanes = GW_ON_CUDA ? 256 : 1;  // on cpu one lane walks along its line
 
 // One team: a tile of neighbouring columns, each sorted by y. On cpu a tile is one cache line wide.
 struct SortColumns {
@@ -45,31 +45,41 @@ struct SortColumns {
 struct SortRows {
   static constexpr uint32_t kLanes = kLineLanes;
   struct Shared {
+#if GW_ON_CUDA
     Cell line[kLongestLine];
+#endif
     float low[kLanes], high[kLanes];
     uint32_t living[kLanes];
   };
   Cell* cells;
   uint32_t* cellOf;
-  float *low, *high;
+  float *low, *high, *left, *perMetre;
   uint32_t* living;
+  uint16_t* starts;
   const uint32_t* hold;
-  uint32_t columns;
+  uint32_t columns, buckets;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
     if (hold && *hold) return;
     const uint32_t begin = team.index * columns;
+#if GW_ON_CUDA
+    Cell* const line = s.line;
     team.phase([&](uint32_t lane) {
-      for (uint32_t c = lane; c < columns; c += kLanes) s.line[c] = cells[begin + c];
+      for (uint32_t c = lane; c < columns; c += kLanes) line[c] = cells[begin + c];
     });
-    sortLine<kLanes>(team, s.line, columns, ByX{});
+#else
+    Cell* const line = cells + begin;  // where it is
+#endif
+    sortLine<kLanes>(team, line, columns, ByX{});
     team.phase([&](uint32_t lane) {
       float least = kInfinity, most = -kInfinity;
       uint32_t count = 0;
       for (uint32_t c = lane; c < columns; c += kLanes) {
-        const Cell cell = s.line[c];
+        const Cell cell = line[c];
+#if GW_ON_CUDA
         cells[begin + c] = cell;
+#endif
         cellOf[cell.id] = begin + c;
         if (isLiving(cell.x)) {
           least = smaller(least, cell.y);
@@ -95,35 +105,71 @@ struct SortRows {
       high[team.index] = s.high[0];
       living[team.index] = s.living[0];
     });
+    team.phase([&](uint32_t lane) { indexRow(team.index, line, lane, s.living[0]); });
+  }
+
+  // Lane by lane: the parts of x that begin at each living cell, then those after the last.
+  GW_BODY void indexRow(uint32_t row, const Cell* line, uint32_t lane, uint32_t count) const {
+    const float from = count ? line[0].x : 0.0f, width = count ? line[count - 1].x - from : 0.0f;
+    const float scale = width > 0.0f ? float(buckets) / width : 0.0f;
+    if (lane == 0) {
+      left[row] = from;
+      perMetre[row] = scale;
+    }
+    NGridView view{};
+    view.left = &from;
+    view.perMetre = &scale;
+    view.buckets = buckets;
+    uint16_t* mine = starts + row * (buckets + 1);
+    for (uint32_t c = lane; c <= count; c += kLanes) {
+      const uint32_t first = c == 0 ? 0 : view.bucketOf(0, line[c - 1].x) + 1;
+      const uint32_t last = c == count ? buckets : view.bucketOf(0, line[c].x);
+      for (uint32_t b = first; b <= last; ++b) mine[b] = uint16_t(c);
+    }
   }
 };
+
+// As many parts as keep the whole index small; two for a cell are plenty.
+uint32_t bucketsFor(NDimensions dimensions) {
+  constexpr uint32_t kIndexBytes = 40 * 1024;
+  const uint32_t fit = kIndexBytes / 2 / dimensions.rows, wanted = 2 * dimensions.columns;
+  return larger(smaller(fit, wanted), 1u);
+}
 
 // One team in all: the running maximum of `high` and the running minimum, from behind, of `low`.
 struct FindReach {
   static constexpr uint32_t kLanes = 64;
   struct Shared {
-    float high[kLanes], low[kLanes];
+    float high[kLanes], low[kLanes], height[kLanes];
   };
-  float *reachHigh, *reachLow;
+  float *reachHigh, *reachLow, *heights;
   const float *high, *low;
-  uint32_t rows;
+  uint32_t rows, rebuilt;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
     const uint32_t each = (rows + kLanes - 1) / kLanes;
     team.phase([&](uint32_t lane) {
-      float most = -kInfinity, least = kInfinity;
+      float most = -kInfinity, least = kInfinity, height = 0.0f;
       for (uint32_t row = lane * each; row < (lane + 1) * each && row < rows; ++row) {
         most = larger(most, high[row]);
         least = smaller(least, low[row]);
+        if (high[row] > low[row]) height += high[row] - low[row];
       }
       s.high[lane] = most;
       s.low[lane] = least;
+      s.height[lane] = height;
     });
     team.phase([&](uint32_t lane) {
       float most = -kInfinity, least = kInfinity;
       for (uint32_t l = 0; l < lane; ++l) most = larger(most, s.high[l]);
       for (uint32_t l = lane + 1; l < kLanes; ++l) least = smaller(least, s.low[l]);
+      if (lane == 0) {
+        float height = 0.0f;
+        for (uint32_t l = 0; l < kLanes; ++l) height += s.height[l];
+        heights[0] = height;
+        if (rebuilt) heights[1] = height;
+      }
       const uint32_t begin = lane * each, end = smaller((lane + 1) * each, rows);
       for (uint32_t row = begin; row < end; ++row) reachHigh[row] = most = larger(most, high[row]);
       for (uint32_t row = end; row > begin; --row) reachLow[row - 1] = least = smaller(least, low[row - 1]);
@@ -194,24 +240,39 @@ NGrid::NGrid(Queue& queue, NDimensions dimensions)
       high_(queue, dimensions.rows),
       reachHigh_(queue, dimensions.rows),
       reachLow_(queue, dimensions.rows),
+      left_(queue, dimensions.rows),
+      perMetre_(queue, dimensions.rows),
       living_(queue, dimensions.rows),
+      starts_(queue, dimensions.rows * (bucketsFor(dimensions) + 1)),
+      buckets_(bucketsFor(dimensions)),
       byY_(queue, dimensions.cells()),
-      scratch_(queue, dimensions.cells()) {}
+      scratch_(queue, dimensions.cells()),
+      heights_(queue, 2) {}
 
 NGridView NGrid::view(const Cell* d_cells) const {
-  return {d_cells,      dimensions_.columns, dimensions_.rows,  low_.data(),
-          high_.data(), living_.data(),      reachHigh_.data(), reachLow_.data()};
+  return {d_cells,           dimensions_.columns, dimensions_.rows, low_.data(),  high_.data(),     living_.data(),
+          reachHigh_.data(), reachLow_.data(),    starts_.data(),   left_.data(), perMetre_.data(), buckets_};
 }
 
 size_t NGrid::bytes() const {
-  return size_t(dimensions_.rows) * (4 * sizeof(float) + sizeof(uint32_t)) + byY_.bytes() +
-         scratch_.size() * sizeof(Cell);
+  return size_t(dimensions_.rows) * (6 * sizeof(float) + sizeof(uint32_t)) + starts_.size() * sizeof(uint16_t) +
+         byY_.bytes() + scratch_.size() * sizeof(Cell);
 }
 
 void NGrid::maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
   constexpr uint32_t kTile = SortColumns::kTile;
   forEachTeam(queue, (dimensions_.columns + kTile - 1) / kTile, SortColumns{d_cells, d_hold, dimensions_});
-  sortRows(queue, d_cells, d_cellOf, d_hold);
+  sortRows(queue, d_cells, d_cellOf, d_hold, false);
+}
+
+void NGrid::refresh(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
+  sortRows(queue, d_cells, d_cellOf, nullptr, false);
+}
+
+float NGrid::rowsWidened() const {
+  float heights[2];
+  heights_.download(heights, 2);
+  return heights[1] > 0.0f ? heights[0] / heights[1] : 0.0f;
 }
 
 void NGrid::settle(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
@@ -225,13 +286,16 @@ void NGrid::rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
   byY_.run(queue, 32);
   forEach(queue, all, CopyCells{scratch_.data(), d_cells});
   forEach(queue, all, TakeByKeys{d_cells, scratch_.data(), byY_.keys()});
-  sortRows(queue, d_cells, d_cellOf, nullptr);
+  sortRows(queue, d_cells, d_cellOf, nullptr, true);
 }
 
-void NGrid::sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
+void NGrid::sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool rebuilt) {
   forEachTeam(queue, dimensions_.rows,
-              SortRows{d_cells, d_cellOf, low_.data(), high_.data(), living_.data(), d_hold, dimensions_.columns});
-  forEachTeam(queue, 1, FindReach{reachHigh_.data(), reachLow_.data(), high_.data(), low_.data(), dimensions_.rows});
+              SortRows{d_cells, d_cellOf, low_.data(), high_.data(), left_.data(), perMetre_.data(), living_.data(),
+                       starts_.data(), d_hold, dimensions_.columns, buckets_});
+  forEachTeam(queue, 1,
+              FindReach{reachHigh_.data(), reachLow_.data(), heights_.data(), high_.data(), low_.data(),
+                        dimensions_.rows, rebuilt});
 }
 
 }  // namespace gw::GW_DEVICE

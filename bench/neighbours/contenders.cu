@@ -177,7 +177,7 @@ struct Hash {
   size_t bytes() const { return grid.bytes(); }
 };
 
-enum class Upkeep { bitonic, full };
+enum class Upkeep { bitonic, full, frozen };
 
 struct Rows {
   Upkeep upkeep;
@@ -188,8 +188,9 @@ struct Rows {
   }
   void build(Queue& queue, Cell* cells, uint32_t* cellOf) { grid.rebuild(queue, cells, cellOf); }
   void maintain(Queue& queue, Cell* cells, uint32_t* cellOf) {
-    if (upkeep == Upkeep::full) return grid.rebuild(queue, cells, cellOf);
-    grid.maintain(queue, cells, cellOf);
+    if (upkeep == Upkeep::bitonic) return grid.maintain(queue, cells, cellOf);
+    if (upkeep == Upkeep::full || grid.rowsWidened() > kWorthRebuilding) return grid.rebuild(queue, cells, cellOf);
+    grid.refresh(queue, cells, cellOf);
   }
   RowGather search(const Cell* cells) const { return {grid.view(cells)}; }
   size_t bytes() const { return grid.bytes(); }
@@ -231,6 +232,7 @@ const std::vector<Choice<Cell>> kWays2{
     {{"grid, hashed", true, kAny}, make<Cell, Hash<Cell>>},
     {{"ngrid, bitonic", true, kAny}, make<Cell, Rows, Upkeep::bitonic>},
     {{"ngrid, full sort", true, kAny}, make<Cell, Rows, Upkeep::full>},
+    {{"ngrid, frozen rows", true, kAny}, make<Cell, Rows, Upkeep::frozen>},
     {{"thesis: fixed 4, bitonic", false, kAny}, make<Cell, Window<FixedGather>, false>},
     {{"thesis: fixed 4, odd-even", false, kAny}, make<Cell, Window<FixedGather>, true>},
     {{"thesis: adaptive, bitonic", false, kAny}, make<Cell, Window<AdaptiveGather>, false>},

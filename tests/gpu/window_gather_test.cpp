@@ -28,7 +28,11 @@ std::vector<Cell> kept(const CellSpec& spec, Upkeep upkeep) {
 
 // The cells as they stand, with nothing known of the rows: windows must not need it.
 NGridView viewOf(GridShape shape, const std::vector<Cell>& cells) {
-  return {cells.data(), shape.columns, shape.rows, nullptr, nullptr, nullptr, nullptr, nullptr};
+  NGridView view{};
+  view.cells = cells.data();
+  view.columns = shape.columns;
+  view.rows = shape.rows;
+  return view;
 }
 
 struct Found {
