@@ -1,4 +1,4 @@
-// What windowed gathers cost and what they miss: 8,192 enemies, one after the other with every gather and sort.
+// What every broad phase, gather and sort costs in the game, and what windows miss: 8,192 enemies, all ways in turn.
 //
 //   uniform  about 20 neighbours within vision everywhere; 70 % of the enemies attack, 30 % wander
 //   swarm    every enemy has attacked an untouchable ship for 20 s of an exact game, then 5 s of its own
@@ -31,8 +31,13 @@ struct Way {
   const char* name;
   Gather gather;
   Sort sort;
+  BroadPhase broadPhase = BroadPhase::ngrid;
 };
 constexpr Way kWays[] = {{"exact, bitonic", Gather::exact, Sort::bitonic},
+                         {"exact, full", Gather::exact, Sort::full},
+                         {"exact, frozen", Gather::exact, Sort::frozen},
+                         {"uniform grid", Gather::exact, Sort::bitonic, BroadPhase::grid},
+                         {"hashed grid", Gather::exact, Sort::bitonic, BroadPhase::gridHashed},
                          {"fixed 4, bitonic", Gather::fixed, Sort::bitonic},
                          {"fixed 4, odd-even", Gather::fixed, Sort::oddEven},
                          {"adaptive, bitonic", Gather::adaptive, Sort::bitonic},
@@ -56,6 +61,7 @@ struct Contender {
 Contender contend(SimulationConfig config, const Way& way, const Snapshot& start, bool swarm) {
   config.gather = way.gather;
   config.sort = way.sort;
+  config.broadPhase = way.broadPhase;
   Contender c{config, cpu::makeSimulation(config), start, {}, {}};
   if (swarm) {
     c.sim->restore(start);
@@ -76,6 +82,7 @@ double shareFound(const Contender& c, CandidateCount count) {
   SimulationConfig exact = c.config;
   exact.gather = Gather::exact;
   exact.sort = Sort::bitonic;
+  exact.broadPhase = BroadPhase::ngrid;
   const auto oracle = cpu::makeSimulation(exact);
   oracle->restore(c.sim->snapshot());
   return double(count.found) / double(oracle->countCandidates().found);

@@ -40,8 +40,10 @@ constexpr Choice kBroadPhases[] = {{"ngrid", uint32_t(BroadPhase::ngrid)},
                                    {"brute", uint32_t(BroadPhase::bruteForce)}};
 constexpr Choice kGathers[] = {
     {"exact", uint32_t(Gather::exact)}, {"adaptive", uint32_t(Gather::adaptive)}, {"fixed", uint32_t(Gather::fixed)}};
-constexpr Choice kSorts[] = {
-    {"bitonic", uint32_t(Sort::bitonic)}, {"odd-even", uint32_t(Sort::oddEven)}, {"full"}, {"frozen"}};
+constexpr Choice kSorts[] = {{"bitonic", uint32_t(Sort::bitonic)},
+                             {"odd-even", uint32_t(Sort::oddEven)},
+                             {"full", uint32_t(Sort::full)},
+                             {"frozen", uint32_t(Sort::frozen)}};
 constexpr Choice kAutopilots[] = {{"novice", uint32_t(Autopilot::novice)}, {"expert", uint32_t(Autopilot::expert)}};
 constexpr Choice kOrders[] = {{"forward", uint32_t(VisitOrder::forward)},
                               {"reversed", uint32_t(VisitOrder::reversed)},
@@ -224,6 +226,18 @@ class VerbParser {
       throw UsageError(
           "'--sort odd-even' does not keep the order that an exact gather needs; add '--gather adaptive' or "
           "'--gather fixed'");
+    }
+    const bool fullSort = o.sort == Sort::full || o.sort == Sort::frozen;
+    if (o.gather && !exact && fullSort) {
+      throw UsageError(
+          fmt::format("'--sort {}' does not keep the order that '--gather {}' needs; choose '--sort bitonic' or "
+                      "'--sort odd-even'",
+                      nameOf(*o.sort), nameOf(*o.gather)));
+    }
+    if (o.sort && *o.sort != Sort::bitonic && o.broadPhase != BroadPhase::ngrid) {
+      throw UsageError(fmt::format(
+          "'--sort {}' keeps the NGrid in order, which '--broad-phase {}' does without; leave out one of the two",
+          nameOf(*o.sort), nameOf(o.broadPhase)));
     }
     if (o.gather.value_or(Gather::exact) != Gather::exact && o.broadPhase != BroadPhase::ngrid) {
       throw UsageError(

@@ -44,17 +44,18 @@ void setComputingOf(SimulationConfig& config, const Options& options, const std:
     throw UserError(ExitCode::badUsage, file + " was recorded with '--gather " + nameOf(config.gather) + " --sort " +
                                             nameOf(config.sort) + "': leave out " + asked + ".");
   };
-  const bool other =
-      (options.gather && *options.gather != config.gather) || (options.sort && *options.sort != config.sort);
+  const bool exact = config.gather == Gather::exact;  // then the sort is no matter of the game's
+  const bool otherSort = options.sort && *options.sort != config.sort && !(exact && options.sort != Sort::oddEven);
+  const bool other = (options.gather && *options.gather != config.gather) || otherSort;
   if (options.thesis && other) refuse("'--thesis'");
   if (options.gather && *options.gather != config.gather)
     refuse(std::string("'--gather ") + nameOf(*options.gather) + "'");
-  if (options.sort && *options.sort != config.sort) refuse(std::string("'--sort ") + nameOf(*options.sort) + "'");
+  if (otherSort) refuse(std::string("'--sort ") + nameOf(*options.sort) + "'");
   if (config.gather != Gather::exact && options.broadPhase != BroadPhase::ngrid)
     refuse(std::string("'--broad-phase ") + nameOf(options.broadPhase) + "'");
   Options agreed = options;
   agreed.gather = config.gather;
-  agreed.sort = config.sort;
+  if (!exact) agreed.sort = config.sort;
   setComputing(config, agreed);
 }
 

@@ -16,7 +16,9 @@ namespace {
 using namespace gw;
 
 ExitCode withoutWindow() {
-  throw UserError(ExitCode::failedRun, "This build has no window: use --headless, or build with -DGW_WINDOW=ON.");
+  throw UserError(ExitCode::failedRun,
+                  "This build has no window: use --headless, or 'gpuwars verify' for a replay, or build with "
+                  "-DGW_WINDOW=ON.");
 }
 
 ExitCode runVerb(const Options& options) {

@@ -17,6 +17,7 @@
 // Ties are broken by the other axis, then by id, so the order of a line is unique on every device.
 #pragma once
 
+#include "gpu/bits.h"
 #include "gpu/buffer.h"
 #include "gpu/plain_types.h"
 #include "gpu/sort_keys.h"
@@ -60,12 +61,18 @@ struct NGridView {
   const uint16_t* starts;
   const float *left, *perMetre;  // where the first part begins (m), parts per metre
   uint32_t buckets;
+  const float* heights;  // of all rows together, in metres: now, after the last rebuild
 
   // The part that x falls into: monotonic in x, and 0 for NaN.
   GW_MEMBER uint32_t bucketOf(uint32_t row, float x) const {
     const float bucket = (x - left[row]) * perMetre[row];
     if (!(bucket > 0.0f)) return 0;
     return bucket < float(buckets) ? uint32_t(bucket) : buckets - 1;
+  }
+
+  // See NGrid::rowsWidened().
+  GW_MEMBER float widened() const {
+    return heights[1] > 0.0f ? heights[0] / heights[1] : heights[0] > 0.0f ? kInfinity : 0.0f;
   }
 };
 
@@ -89,8 +96,8 @@ class NGrid {
   // O(n) on cpu for the small motion of one tick.
   void refresh(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
 
-  // The summed heights of the rows by what they were after the last rebuild(): 1 or more while all move about, 0 before
-  // the first. A rebuild pays at about kWorthRebuilding. Waits for the queue.
+  // The summed heights of the rows by what they were after the last rebuild(); infinite when they had none then, 0 when
+  // they have none now. A rebuild pays above about kWorthRebuilding. Waits for the queue.
   float rowsWidened() const;
 
   // Upkeep by partial odd-even transposition: one odd and one even pass along each axis, O(n). An entity moves

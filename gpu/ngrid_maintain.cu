@@ -251,7 +251,8 @@ NGrid::NGrid(Queue& queue, NDimensions dimensions)
 
 NGridView NGrid::view(const Cell* d_cells) const {
   return {d_cells,           dimensions_.columns, dimensions_.rows, low_.data(),  high_.data(),     living_.data(),
-          reachHigh_.data(), reachLow_.data(),    starts_.data(),   left_.data(), perMetre_.data(), buckets_};
+          reachHigh_.data(), reachLow_.data(),    starts_.data(),   left_.data(), perMetre_.data(), buckets_,
+          heights_.data()};
 }
 
 size_t NGrid::bytes() const {
@@ -272,7 +273,9 @@ void NGrid::refresh(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
 float NGrid::rowsWidened() const {
   float heights[2];
   heights_.download(heights, 2);
-  return heights[1] > 0.0f ? heights[0] / heights[1] : 0.0f;
+  NGridView view{};
+  view.heights = heights;
+  return view.widened();
 }
 
 void NGrid::settle(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {

@@ -16,6 +16,7 @@
 #include "bench/machine.h"
 #include "bench/neighbours/contender.h"
 #include "bench/neighbours/crowd.h"
+#include "bench/neighbours/outsiders.h"
 #include "bench/neighbours/table.h"
 #include "bench/scenes.h"
 
@@ -42,12 +43,16 @@ struct Entrant {
   uint64_t found = 0, missed = 0;
 };
 
-std::unique_ptr<Contender<Cell>> make(const Crowd<Cell>&, size_t way, const ExecOptions& o, const Place& p,
-                                      uint32_t n) {
+std::vector<Way> waysOf(const Cell*) {
+  return cpu::ways2();
+}
+std::vector<Way> waysOf(const Cell3*) {
+  return cpu::ways3();
+}
+std::unique_ptr<Contender<Cell>> make(const Cell*, size_t way, const ExecOptions& o, const Place& p, uint32_t n) {
   return cpu::makeContender2(way, o, p, n);
 }
-std::unique_ptr<Contender<Cell3>> make(const Crowd<Cell3>&, size_t way, const ExecOptions& o, const Place& p,
-                                       uint32_t n) {
+std::unique_ptr<Contender<Cell3>> make(const Cell3*, size_t way, const ExecOptions& o, const Place& p, uint32_t n) {
   return cpu::makeContender3(way, o, p, n);
 }
 
@@ -82,10 +87,13 @@ void compare(Entrant<CellT>& e, const std::vector<uint32_t>& truth) {
 }
 
 template <class CellT>
-void run(const Wanted& wanted, const std::vector<Way>& ways, uint32_t dimensions, uint32_t n, Distribution distribution,
-         float motion, std::vector<Row>& rows) {
+void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution distribution, float motion,
+         std::vector<Row>& rows) {
   Crowd<CellT> crowd(n, distribution, 1);
   const Place place{{crowd.world[0], crowd.world[1], crowd.world[2]}, crowd.radius};
+  std::vector<Way> ways = waysOf(static_cast<CellT*>(nullptr));
+  const size_t own = ways.size();
+  for (const Way& way : outsiders()) ways.push_back(way);
   std::vector<Entrant<CellT>> entrants;
   for (size_t w = 0; w < ways.size(); ++w) {
     const bool asked =
@@ -93,7 +101,9 @@ void run(const Wanted& wanted, const std::vector<Way>& ways, uint32_t dimensions
           return std::string(ways[w].name).find(part) != std::string::npos;
         });
     if (n > ways[w].most || (w > 0 && !asked)) continue;  // the first is what the others are compared with
-    Entrant<CellT> e{ways[w], make(crowd, w, {wanted.threads}, place, n)};
+    const ExecOptions options{wanted.threads};
+    Entrant<CellT> e{ways[w], w < own ? make(static_cast<CellT*>(nullptr), w, options, place, n)
+                                      : makeOutsider<CellT>(w - own, options, place, n)};
     e.build_ms = milliseconds([&] { e.contender->start(crowd.byId); });
     entrants.push_back(std::move(e));
   }
@@ -134,9 +144,9 @@ void measure(const Wanted& wanted) {
       for (const std::string& name : wanted.distributions) {
         for (const float motion : wanted.motions) {
           if (d == 3) {
-            run<Cell3>(wanted, cpu::ways3(), d, n, named(name), motion, rows);
+            run<Cell3>(wanted, d, n, named(name), motion, rows);
           } else {
-            run<Cell>(wanted, cpu::ways2(), d, n, named(name), motion, rows);
+            run<Cell>(wanted, d, n, named(name), motion, rows);
           }
         }
       }

@@ -11,8 +11,11 @@ namespace {
 constexpr float kBinSize_m = 4.0f;
 
 const SimulationConfig& checked(const SimulationConfig& config) {
-  if (config.gather == Gather::exact && config.sort != Sort::bitonic) {
+  if (config.gather == Gather::exact && config.sort == Sort::oddEven) {
     throw std::invalid_argument("An exact gather needs rows in order, which odd-even transposition does not keep.");
+  }
+  if (config.gather != Gather::exact && config.sort != Sort::bitonic && config.sort != Sort::oddEven) {
+    throw std::invalid_argument("A window needs columns in order, which a full sort and frozen rows do not keep.");
   }
   if (config.gather != Gather::exact && config.broadPhase != BroadPhase::ngrid) {
     throw std::invalid_argument("An inexact gather is the NGrid's: no other broad phase finds the same.");
@@ -74,12 +77,23 @@ void Neighbourhood::arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
   }
 }
 
+void Neighbourhood::maintainNGrid(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
+  switch (sort_) {
+    case Sort::bitonic:
+      return ngrid_.maintain(queue, d_cells, d_cellOf, d_hold);
+    case Sort::oddEven:
+      return ngrid_.transpose(queue, d_cells, d_cellOf, d_hold);
+    case Sort::full:
+      return ngrid_.rebuild(queue, d_cells, d_cellOf);
+    case Sort::frozen:
+      return sortInFull_ ? ngrid_.rebuild(queue, d_cells, d_cellOf) : ngrid_.refresh(queue, d_cells, d_cellOf);
+  }
+}
+
 void Neighbourhood::maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
   switch (broadPhase_) {
     case BroadPhase::ngrid:
-      if (!isArrangementState(gather_)) d_hold = nullptr;
-      if (sort_ == Sort::oddEven) return ngrid_.transpose(queue, d_cells, d_cellOf, d_hold);
-      return ngrid_.maintain(queue, d_cells, d_cellOf, d_hold);
+      return maintainNGrid(queue, d_cells, d_cellOf, isArrangementState(gather_) ? d_hold : nullptr);
     case BroadPhase::grid:
       return grid_.maintain(queue, d_cells, d_cellOf);
     case BroadPhase::gridHashed:

@@ -83,13 +83,19 @@ class Neighbourhood {
   // suits it.
   void arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
 
+  // Frozen rows only: whether the next maintain() sorts in full. Whoever captures ticks captures both kinds.
+  void sortInFull(bool next) { sortInFull_ = next; }
+
   // Once a tick, after motion. Nothing moves while the word at d_hold is not 0, where the arrangement is state.
   void maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold);
 
  private:
+  void maintainNGrid(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold);
+
   BroadPhase broadPhase_{};
   Gather gather_{};
   Sort sort_{};
+  bool sortInFull_ = false;
   NDimensions dimensions_;
   NGrid ngrid_;
   UniformGrid<Cell> grid_;

@@ -21,10 +21,11 @@ enum class Mode : uint32_t { arcade, deadline, swarm, practice };
 // How a run ended.
 enum class Ending : uint32_t { none, frameRate, timeUp, cleared };
 enum class BroadPhase : uint32_t { ngrid, grid, gridHashed, bruteForce };
-// How the NGrid is asked and kept in order. Exact gathers cannot change the game; with an inexact one the
-// arrangement of the cells is part of the state: hashed, and kept in snapshots and replays.
+// How the NGrid is asked and kept in order. Exact gathers cannot change the game, nor can the sort they go with:
+// bitonic, full or frozen. With an inexact one, by bitonic or odd-even sort, the arrangement of the cells is part of
+// the state: hashed, and kept in snapshots and replays.
 enum class Gather : uint32_t { exact, adaptive, fixed };
-enum class Sort : uint32_t { bitonic, oddEven };
+enum class Sort : uint32_t { bitonic, oddEven, full, frozen };
 enum class Autopilot : uint32_t { none, novice, expert };
 
 struct SimulationConfig {
@@ -80,7 +81,10 @@ struct TickReport {
   float pace = 1.0f;                          // enemies are so many times as fast as their types
   uint32_t enemies = 0, shots = 0, bits = 0;  // alive
   uint32_t enemiesInView = 0;                 // within Rules::Idle's half extents of the ship
-  uint32_t idle_ticks = 0;                    // for so long the next wave has been waited for; see Rules::Idle
+  // NGrid of an exact gather: the rows' summed heights by what they were after the last full sort; 0: they have none.
+  // No part of the game.
+  float rowsWidened = 0.0f;
+  uint32_t idle_ticks = 0;  // for so long the next wave has been waited for; see Rules::Idle
   uint32_t peakEnemies = 0;
   uint32_t refused = 0;              // births that did not fit, over the whole run
   uint32_t bitsTaken = 0;            // over the whole run

@@ -25,8 +25,11 @@ class DeviceSimulation final : public Simulation {
       particles_ = Particles(queue_, state_.limits().capacity);
       particleList_ = ParticleList(queue_, kParticleRing);
     }
-    for (uint32_t parity = 0; parity < 2; ++parity) {
-      graphs_[parity] = TickGraph(queue_, [this, parity] { runStages(parity); });
+    for (const bool sortInFull : {false, true}) {
+      if (sortInFull && config_.sort != Sort::frozen) continue;
+      for (uint32_t parity = 0; parity < 2; ++parity) {
+        graphs_[sortInFull][parity] = TickGraph(queue_, [this, parity, sortInFull] { runStages(parity, sortInFull); });
+      }
     }
   }
 
@@ -36,12 +39,17 @@ class DeviceSimulation final : public Simulation {
     }
     state_.inputs.upload(&input, 1, launched_ % kTicksInFlight);
     const uint32_t parity = launched_ % 2;
+    const bool sortInFull = rowsWidened_ > kWorthRebuilding && config_.sort == Sort::frozen;
     if (timing_) {
-      runStages(parity);
+      runStages(parity, sortInFull);
     } else {
-      graphs_[parity].replay(queue_);
+      graphs_[sortInFull][parity].replay(queue_);
     }
     ++launched_;
+    if (sortInFull) {
+      rowsWidened_ = 0.0f;
+      sorted_ = launched_;
+    }
   }
 
   TickReport report() override {
@@ -49,6 +57,7 @@ class DeviceSimulation final : public Simulation {
     TickReport report;
     state_.reports.download(&report, 1, read_ % kTicksInFlight);
     ++read_;
+    if (read_ > sorted_) rowsWidened_ = report.rowsWidened;  // earlier ones are from before the last full sort
     return report;
   }
 
@@ -117,7 +126,8 @@ class DeviceSimulation final : public Simulation {
 #endif
 
  private:
-  void runStages(uint32_t parity) {
+  void runStages(uint32_t parity, bool sortInFull) {
+    state_.neighbourhood().sortInFull(sortInFull);
     step(queue_, state_, parity, config_.autopilot, timer_, config_.particles ? &particles_ : nullptr);
   }
 
@@ -134,8 +144,12 @@ class DeviceSimulation final : public Simulation {
   Particles particles_;
   ParticleList particleList_;
   Candidates candidates_;
-  TickGraph graphs_[2];
+  TickGraph graphs_[2][2];  // [with a full sort of frozen rows][parity]
   uint32_t launched_ = 0, read_ = 0;
+  // Frozen rows are sorted in full when a report says that they have widened: how to compute a tick is the host's to
+  // choose, since it changes no bit of it.
+  uint32_t sorted_ = 0;  // ticks launched when they were sorted last
+  float rowsWidened_ = 0.0f;
   bool timing_ = false;
 };
 

@@ -34,7 +34,7 @@ def main():
 
     refused("no display", FAILED, says=["--headless"])
     refused("a display that does not answer", FAILED, says=["--headless"], DISPLAY=":987")
-    refused("no display for a replay", FAILED, "replay", good, says=["isplay"])
+    refused("no display for a replay", FAILED, "replay", good, says=["--headless"])
 
     refused("unknown option", USAGE, "--fly", says=["--fly"])
     refused("unknown verb", USAGE, "dance", says=["dance"])

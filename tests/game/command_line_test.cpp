@@ -155,8 +155,14 @@ struct Refusal {
 
 const Refusal kRefusals[] = {
     // Later versions' business, by name.
-    {"--sort full", "'--sort full' is not in this version yet; choose bitonic|odd-even"},
-    {"--sort frozen", "'--sort frozen' is not in this version yet; choose bitonic|odd-even"},
+    {"--gather adaptive --sort full",
+     "'--sort full' does not keep the order that '--gather adaptive' needs; choose '--sort bitonic' or '--sort "
+     "odd-even'"},
+    {"--gather fixed --sort frozen",
+     "'--sort frozen' does not keep the order that '--gather fixed' needs; choose '--sort bitonic' or '--sort "
+     "odd-even'"},
+    {"--sort frozen --broad-phase grid",
+     "'--sort frozen' keeps the NGrid in order, which '--broad-phase grid' does without; leave out one of the two"},
     {"profile", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
     {"profile --help", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
     {"render a.gwr --out b", "'gpuwars render' is not in this version yet; see 'gpuwars --help' for what is"},
@@ -197,7 +203,7 @@ const Refusal kRefusals[] = {
      "('./--headless' if it is really called so)"},
     {"--record", "'--record' needs a value; see 'gpuwars play --help'"},
     {"--gather none", "'--gather none' is not known; choose exact|adaptive|fixed"},
-    {"--sort quick", "'--sort quick' is not known; choose bitonic|odd-even"},
+    {"--sort quick", "'--sort quick' is not known; choose bitonic|odd-even|full|frozen"},
     {"--thesis=2d", "'--thesis' takes no value; leave out what follows its '='"},
     {"--thesis --thesis --gather", "'--gather' needs a value; see 'gpuwars play --help'"},
     // Contradictions.

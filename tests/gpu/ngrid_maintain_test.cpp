@@ -41,7 +41,7 @@ TEST(NGridUpkeep, ArrangesEveryLayoutAsItsOracle) {
   for (const GridShape& shape : kShapes) {
     for (uint32_t layout = 0; layout < kLayouts; ++layout) {
       const CellSpec spec{Layout(layout), shape, layout % 2 * 15, ++seed};
-      for (Upkeep upkeep : {Upkeep::maintain, Upkeep::rebuild}) {
+      for (Upkeep upkeep : {Upkeep::maintain, Upkeep::rebuild, Upkeep::refresh}) {
         const auto cells = makeCells(spec);
         EXPECT_EQ(difference(naive::upkeep(shape, cells, upkeep), kDevice.upkeep({2}, shape, cells, upkeep)), "")
             << spec;

@@ -91,7 +91,8 @@ Words upkeepOf(const Probes& device, const ExecOptions& options, Upkeep upkeep) 
     for (uint32_t layout = 0; layout < kLayouts; ++layout) {
       auto state = device.upkeep(options, shape, makeCells({Layout(layout), shape, 10, ++seed}), upkeep);
       moveCells(state.cells, 1.0f, ++seed);
-      const Upkeep next = upkeep == Upkeep::transpose ? Upkeep::transpose : Upkeep::maintain;
+      const bool itself = upkeep == Upkeep::transpose || upkeep == Upkeep::refresh;
+      const Upkeep next = itself ? upkeep : Upkeep::maintain;
       const Words after = wordsOf(device.upkeep(options, shape, state.cells, next));
       words.insert(words.end(), after.begin(), after.end());
     }
@@ -233,6 +234,7 @@ std::vector<ParityCase> makeCases() {
   add("LineSort", lineSorts);
   add("Maintain", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::maintain); });
   add("Rebuild", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::rebuild); });
+  add("Refresh", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::refresh); });
   add("RowGather", [](const Probes& device, Options options) { return gathers(device, options, Method::rows); });
   add("BruteForce", [](const Probes& device, Options options) { return gathers(device, options, Method::bruteForce); });
   add("UniformGrid", [](const Probes& device, Options options) { return gathers(device, options, Method::grid); });

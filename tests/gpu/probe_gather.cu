@@ -91,6 +91,11 @@ struct Searched {
     rows.maintain(queue, cells.data(), cellOf.data());
     return rows.view(cells.data());
   }
+  NGridView refreshRows(test::GridShape shape) {
+    rows = NGrid(queue, {shape.columns, shape.rows});
+    rows.refresh(queue, cells.data(), cellOf.data());
+    return rows.view(cells.data());
+  }
   BruteForce<CellT> asTheyAre() { return {cells.data(), count}; }
   GridGather<CellT> inBins() {
     bins = gridFor<CellT>(queue, count);
@@ -129,6 +134,9 @@ test::Gathered gather(const ExecOptions& options, test::GridShape shape, const s
   switch (method) {
     case Method::rows:
       ask(RowGather{searched.maintainRows(shape)});
+      break;
+    case Method::frozenRows:
+      ask(RowGather{searched.refreshRows(shape)});
       break;
     case Method::bruteForce:
       ask(searched.asTheyAre());

@@ -67,6 +67,9 @@ test::GridState upkeep(const ExecOptions& options, test::GridShape shape, const 
     case test::Upkeep::rebuild:
       grid.rebuild(queue, cells.data(), cellOf.data());
       break;
+    case test::Upkeep::refresh:
+      grid.refresh(queue, cells.data(), cellOf.data());
+      break;
     case test::Upkeep::settle:
       grid.settle(queue, cells.data(), cellOf.data());
       break;
@@ -79,7 +82,7 @@ test::GridState upkeep(const ExecOptions& options, test::GridShape shape, const 
           CopyRows{low.data(), high.data(), reachHigh.data(), reachLow.data(), living.data(), grid.view(cells.data())});
   test::GridState state{cells.download(), cellOf.download(),    living.download(),  low.download(),
                         high.download(),  reachHigh.download(), reachLow.download()};
-  countLaunches(upkeep == test::Upkeep::maintain ? 4 : 7);
+  countLaunches(upkeep == test::Upkeep::refresh ? 3 : upkeep == test::Upkeep::maintain ? 4 : 7);
   return state;
 }
 

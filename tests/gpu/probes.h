@@ -18,7 +18,7 @@ struct GridShape {
   uint32_t cells() const { return columns * rows; }
 };
 
-enum class Upkeep : uint32_t { maintain, rebuild, transpose, settle };
+enum class Upkeep : uint32_t { maintain, rebuild, refresh, transpose, settle };
 
 // What binning leaves behind.
 struct Binned {
@@ -49,6 +49,7 @@ inline float binSizeFor(uint32_t cells) {
 // Those after noMistake have one planted mistake each (broken_gather.h); noMistake is the same code without it.
 enum class Method : uint32_t {
   rows,
+  frozenRows,
   bruteForce,
   grid,
   hashedGrid,

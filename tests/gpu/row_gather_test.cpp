@@ -39,6 +39,20 @@ RC_GTEST_PROP(RowGather, StaysExactAfterMotion, ()) {
   RC_ASSERT(checkGather(spec.shape, cells, makeQueries(cells, 60, spec.seed), Method::rows) == "");
 }
 
+// The rows that a rebuild made, kept for 200 frames.
+TEST(RowGather, StaysExactOverFrozenRows) {
+  for (const Layout layout : {Layout::uniform, Layout::clustered, Layout::lattice}) {
+    const CellSpec spec{layout, {48, 20}, 10, 3};
+    auto cells = kDevice.upkeep({1}, spec.shape, makeCells(spec), Upkeep::rebuild).cells;
+    for (uint32_t frame = 0; frame < 200; ++frame) {
+      moveCells(cells, 0.4f, frame);
+      cells = kDevice.upkeep({1}, spec.shape, cells, Upkeep::refresh).cells;
+      // As they stand: asked by rows without any other upkeep.
+      ASSERT_EQ(checkGather(spec.shape, cells, makeQueries(cells, 20, frame), Method::frozenRows), "") << frame;
+    }
+  }
+}
+
 TEST(RowGather, FindsEveryBoundaryOfEveryLayout) {
   for (uint32_t layout = 0; layout < kLayouts; ++layout) {
     const CellSpec spec{Layout(layout), {48, 25}, 10, layout + 1};

@@ -97,7 +97,7 @@ test::GridState upkeep(test::GridShape shape, std::vector<Cell> cells, test::Upk
   if (upkeep == test::Upkeep::rebuild) {
     std::stable_sort(cells.begin(), cells.end(),
                      [](const Cell& a, const Cell& b) { return totalOrder(a.y) < totalOrder(b.y); });
-  } else {
+  } else if (upkeep != test::Upkeep::refresh) {
     for (uint32_t column = 0; column < shape.columns; ++column) {
       std::vector<Cell> line;
       for (uint32_t row = 0; row < shape.rows; ++row) line.push_back(cells[row * shape.columns + column]);

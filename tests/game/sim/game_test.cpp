@@ -58,6 +58,7 @@ struct Way {
   BroadPhase broadPhase;
   bool protect;
   uint32_t ticks;
+  Sort sort = Sort::bitonic;
 };
 class game_computed : public ::testing::TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(
@@ -67,6 +68,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Way{"seven_threads", 7, VisitOrder::forward, BroadPhase::ngrid, false, 200},
                       Way{"reversed_visits", 2, VisitOrder::reversed, BroadPhase::ngrid, false, kTicks},
                       Way{"shuffled_visits", 2, VisitOrder::shuffled, BroadPhase::ngrid, false, kTicks},
+                      Way{"full_sort", 2, VisitOrder::forward, BroadPhase::ngrid, false, kTicks, Sort::full},
+                      Way{"shuffled_full_sort", 2, VisitOrder::shuffled, BroadPhase::ngrid, true, 300, Sort::full},
+                      Way{"frozen_rows", 2, VisitOrder::forward, BroadPhase::ngrid, false, kTicks, Sort::frozen},
+                      Way{"shuffled_frozen_rows", 2, VisitOrder::shuffled, BroadPhase::ngrid, true, 300, Sort::frozen},
                       Way{"grid", 2, VisitOrder::forward, BroadPhase::grid, false, kTicks},
                       Way{"shuffled_grid", 2, VisitOrder::shuffled, BroadPhase::grid, true, 300},
                       Way{"hashed_grid", 2, VisitOrder::forward, BroadPhase::gridHashed, false, kTicks},
@@ -83,7 +88,34 @@ TEST_P(game_computed, gives_the_same_hash_at_every_tick) {
   config.order = way.order;
   config.broadPhase = way.broadPhase;
   config.protectMemory = way.protect;
+  config.sort = way.sort;
   expectSame(config, way.ticks);
+}
+
+// Frozen rows widen tick by tick, and are sorted in full as soon as a report says that they have widened too much.
+TEST(game, frozen_rows_are_sorted_in_full_when_they_have_widened) {
+  const auto inputs = inputsOf(reference());
+  SimulationConfig config = referenceConfig();
+  config.autopilot = Autopilot::none;
+  config.sort = Sort::frozen;
+  const auto simulation = cpu::makeSimulation(config);
+  simulation->restore(crowdScene(config, kEnemies));
+  uint32_t sorted = 0, wide = 0;
+  float before = 0.0f;
+  for (uint32_t t = 0; t < 300; ++t) {
+    simulation->tick(inputs[t]);
+    const float now = simulation->report().rowsWidened;
+    ASSERT_TRUE(now > 0.0f && now < 100.0f) << t;
+    if (before > 1.3f) {
+      ASSERT_EQ(now, 1.0f) << t;
+      ++sorted;
+    }
+    wide += now > 1.0f;
+    before = now;
+  }
+  EXPECT_GT(sorted, 3u);
+  EXPECT_LT(sorted, 100u);
+  EXPECT_GT(wide, 150u);
 }
 
 TEST(game, queued_ticks_are_the_same_as_single_ones) {
