@@ -110,7 +110,9 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
   const uint32_t frames = std::max(3u, std::min(wanted.frames, uint32_t(100.0 * 65536.0 / double(n))));
   for (uint32_t frame = 0; frame < frames; ++frame) {
     crowd.step(motion);
-    for (Entrant<CellT>& e : entrants) {
+    // Another goes first in each frame: the first finds the workers asleep.
+    for (size_t turn = 0; turn < entrants.size(); ++turn) {
+      Entrant<CellT>& e = entrants[(frame + turn) % entrants.size()];
       if (e.way.most < ~0u && frame % 10 != 0) continue;  // the slowest only now and then
       playFrame(e, crowd.byId);
     }
