@@ -1,8 +1,5 @@
-#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
-#include <stdexcept>
 
 #include "game/sim/state.h"
 
