@@ -54,7 +54,6 @@ struct HashedGather {
   }
 
  private:
-  static constexpr bool kFlat = sizeof(PlaceOf<CellT>) == sizeof(Float2);
   struct Range {
     int32_t first, last;
     GW_MEMBER float length() const { return float(last) - float(first) + 1.0f; }
@@ -69,7 +68,7 @@ struct HashedGather {
   template <class Visitor>
   GW_MEMBER uint32_t visitFrom(uint32_t from, PlaceOf<CellT> at, float radius, Visitor&& visit) const {
     const Range x = rangeOf(at.x, radius), y = rangeOf(at.y, radius);
-    const Range z = kFlat ? Range{0, 0} : rangeOf(heightOf(at), radius);
+    const Range z = kFlat<CellT> ? Range{0, 0} : rangeOf(heightOf(at), radius);
     uint32_t tested = 0;
     const auto test = [&](uint32_t i) {
       const PlaceOf<CellT> away = placeOf(cells[i]) - at;
@@ -99,7 +98,7 @@ struct HashedGather {
   GW_MEMBER bool stands(const CellT& cell, int32_t bx, int32_t by, int32_t bz) const {
     const PlaceOf<CellT> place = placeOf(cell);
     return hashedBinAlong(place.x, perMetre) == bx && hashedBinAlong(place.y, perMetre) == by &&
-           (kFlat || hashedBinAlong(heightOf(place), perMetre) == bz);
+           (kFlat<CellT> || hashedBinAlong(heightOf(place), perMetre) == bz);
   }
 };
 

@@ -25,6 +25,9 @@ GW_FN Float3 operator-(Float3 a, Float3 b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+template <class CellT>
+inline constexpr bool kFlat = sizeof(PlaceOf<CellT>) == sizeof(Float2);  // 2D
+
 // Two dimensions are three of one layer.
 GW_FN float heightOf(Float2) {
   return 0.0f;
@@ -43,7 +46,13 @@ GW_FN bool isNeighbour(Float3 away, float radius) {
          magnitude(away.y) <= radius && magnitude(away.z) <= radius;
 }
 
-// A dead cell sits at +infinity.
+// The same cell with another id, dead: it sits at +infinity.
+GW_FN Cell deadCell(Cell cell, uint32_t id) {
+  return {kInfinity, kInfinity, id, cell.type};
+}
+GW_FN Cell3 deadCell(Cell3, uint32_t id) {
+  return {kInfinity, kInfinity, kInfinity, id};
+}
 GW_FN bool isLiving(float x) {
   return x < kInfinity;
 }

@@ -1,130 +1,186 @@
-// NGrid, 2D: the neighbourhood structure of Joselli's thesis (2013). n entities stand in n cells, and the
-// array of their positions *is* the grid.
+// NGrid: the neighbourhood structure of Joselli's thesis (2013), in two dimensions (CellT is Cell) and three (Cell3).
+// n entities stand in n cells, and the array of their positions *is* the grid.
 //
 //      column 0   1   2   3          Every row is in ascending x, and every column nearly in ascending y:
-//   row 2   [.4] [.5] [.6] [.7]      an entity's neighbours in the world stand near it in the grid.
-//   row 1   [.2] [.1] [.3] [.9]      Dead cells sit at +infinity, so sorting groups them at the end of
-//   row 0   [.0] [.8] [.a] [.b]      the rows and in the last rows.
+//   row 2   [.4] [.5] [.6] [.7]      an entity's neighbours in the world stand near it in the grid. In 3D such
+//   row 1   [.2] [.1] [.3] [.9]      slabs of rows follow each other, each pole through them nearly in ascending z.
+//   row 0   [.0] [.8] [.a] [.b]      Dead cells sit at +infinity, so sorting groups them at the end.
 //
 // Properties (thesis, chapter 4):
 //   1 as many cells as entities               2 one entity per cell
 //   3 a cell takes its entity's size          4 and its place
 //   5 the N-dimensions multiply to n          6 each line is ordered along its axis
 //   7 one N-radius per axis                   8 the N-radius is fixed or adaptive
-// 6 holds for rows after every maintain(); columns are misaligned by what the row pass moved. 7 and 8
-// speak of windowed gathering (window_gather.h); the exact gather of row_gather.h needs no N-radius.
+// 6 holds for rows after every maintain(); other lines are misaligned by what later passes moved. 7 and 8 speak of
+// windowed gathering (window_gather.h); the exact gather of row_gather.h needs no N-radius.
 //
-// Ties are broken by the other axis, then by id, so the order of a line is unique on every device.
+// Upkeep after motion, from the thesis: maintain() sorts every line of each axis, transpose() only compares neighbours.
+// Our own, for exact gathers: pack() puts the entities into rows anew by counting, refresh() leaves them in
+// their rows. Two orders to start from: rebuild() and settle(). Ties are broken by the other axes, then by id, so
+// the order of a line is unique on every device.
+//
+// Places are not NaN: quarantine() turns those that are into dead cells and counts them.
 #pragma once
 
+#include <vector>
+
+#include "gpu/bin_sort.h"
 #include "gpu/bits.h"
 #include "gpu/buffer.h"
+#include "gpu/ngrid_dimensions.h"
 #include "gpu/plain_types.h"
-#include "gpu/sort_keys.h"
 
 namespace gw::GW_DEVICE {
-
-// The longest row or column: a line is sorted in a block's shared memory (32 KiB of cells).
-inline constexpr uint32_t kLongestLine = 2048;
 
 // See NGrid::rowsWidened().
 inline constexpr float kWorthRebuilding = 1.3f;
 
-struct NDimensions {
-  uint32_t columns = 0, rows = 0;
-  uint32_t cells() const { return columns * rows; }
+struct Interval {
+  float low, high;  // m; +infinity and -infinity when nothing is in it
 };
 
-// Dimensions for at least n cells in whole rows, the row about 24 times as long as the column: what an exact
-// gather pays is the two ends of its span in each row met, so fewer, longer rows are faster although they
-// test more candidates. Full sort and gather of 65,536 by that ratio, over the uniform grid's in the same run:
-// 6: 2.3, 12: 1.6, 24: 1.6, 48: 1.3, 96: 1.5 (swarm: 1.8, 1.5, 1.5, 1.5, 1.3). Throws
-// std::invalid_argument when n does not fit kLongestLine squared.
-NDimensions chooseDimensions(uint32_t n);
+// What is known of a row's living.
+struct alignas(16) GridRow {
+  float low, high;       // y, m: +infinity and -infinity when it has none
+  float left, perMetre;  // where its first part begins, m; parts per metre
+};
 
-// The same for windowed gathers: columns to rows as `aspect`, the world's width to its height, so that n
-// entities spread over the world stand as far apart along a row as along a column. aspect in (0, infinity).
-NDimensions chooseWindowDimensions(uint32_t n, float aspect);
+// Of the whole grid.
+struct GridTotals {
+  float height, heightBuilt;  // m, of all rows together: now, after the last rebuild() or pack()
+  Interval y, z;              // of all the living
+  uint32_t moved;             // entities that the last upkeep has put into another cell
+};
 
-// What kernels see. Copy it into a kernel by value.
+// The part of a row that x falls into: monotonic in x, and 0 for NaN.
+GW_FN uint32_t partOf(const GridRow& row, uint32_t parts, float x) {
+  const float part = (x - row.left) * row.perMetre, last = float(int32_t(parts - 1));
+  return uint32_t(int32_t(part > 0.0f ? (part < last ? part : last) : 0.0f));
+}
+
+// What kernels see. Copy it into a kernel by value. A "line" here is a row of any slab: slab * rows + row.
+template <class CellT>
 struct NGridView {
-  const Cell* cells;  // [rows * columns], row by row
-  uint32_t columns, rows;
-  // Per row, of its living entities: the interval of y (+infinity, -infinity when none) and their number.
-  const float *low, *high;
-  const uint32_t* living;
-  // The highest `high` of this and earlier rows, the lowest `low` of this and later rows: both ascend, so
-  // the rows that can meet an interval are found by bisection.
-  const float *reachHigh, *reachLow;
-  // Per row, an index of x: the span from its first to its last living entity is cut into `buckets` equal parts, and
-  // starts[row][b] is the first column in part b or later, starts[row][buckets] the number of the living.
+  const CellT* cells;  // [lines][columns]
+  uint32_t columns, rows, slabs;
+  const GridRow* line;     // [lines]
+  const Interval* depth;   // [lines] z of the living; 3D only
+  const uint32_t* living;  // [lines]
+  // Per line, of its slab: the lowest `low` of this and later rows, the highest `high` of this and earlier ones. Both
+  // ascend, so the rows that can meet an interval follow each other. The same of slabs, by z, in 3D only.
+  const Interval *reach, *slabReach;
+  // Per line, an index of x: the span from its first to its last living entity is cut into equal parts, and
+  // starts[line][p] is the first column in part p or later, starts[line][parts] the number of the living.
   const uint16_t* starts;
-  const float *left, *perMetre;  // where the first part begins (m), parts per metre
-  uint32_t buckets;
-  const float* heights;  // of all rows together, in metres: now, after the last rebuild
-
-  // The part that x falls into: monotonic in x, and 0 for NaN.
-  GW_MEMBER uint32_t bucketOf(uint32_t row, float x) const {
-    const float bucket = (x - left[row]) * perMetre[row];
-    if (!(bucket > 0.0f)) return 0;
-    return bucket < float(buckets) ? uint32_t(bucket) : buckets - 1;
-  }
+  uint32_t parts;
+  // Rows are in ascending x throughout, not only by parts.
+  bool sorted;
+  const GridTotals* totals;
 
   // See NGrid::rowsWidened().
   GW_MEMBER float widened() const {
-    return heights[1] > 0.0f ? heights[0] / heights[1] : heights[0] > 0.0f ? kInfinity : 0.0f;
+    const float now = totals->height, built = totals->heightBuilt;
+    return built > 0.0f ? now / built : now > 0.0f ? kInfinity : 0.0f;
   }
 };
 
+// How a grid is going to be kept. inPlace: by maintain() or transpose(), with little memory beyond the cells (under 64
+// KB in 2D). packed: by pack() and refresh() too, which need about 24 bytes for each cell.
+enum class Kept { inPlace, packed };
+
+struct UpkeepReport {
+  uint32_t misaligned;  // the living that stand before their predecessor on a line of any axis
+  uint32_t moved;       // entities that the last upkeep has put into another cell; a swap moves two
+  uint32_t rounds;      // of passes along all axes that it took
+  float widened;        // NGrid::rowsWidened()
+};
+
+template <class CellT>
 class NGrid {
  public:
   NGrid() = default;
-  NGrid(Queue& queue, NDimensions dimensions);
+  // Throws std::invalid_argument when a dimension is 0 or above kLongestLine, or their product 2^31 or more.
+  NGrid(Queue& queue, NDimensions dimensions, Kept kept = Kept::inPlace);
 
   NDimensions dimensions() const { return dimensions_; }
-  NGridView view(const Cell* d_cells) const;
-  size_t bytes() const;  // of device memory beyond the cells
+  NGridView<CellT> view(const CellT* d_cells) const;
+  size_t bytes() const;  // of device memory beyond the cells, held between calls
 
-  // Upkeep after motion: sorts each column by y, then each row by x, and refreshes the rows' intervals.
-  // d_cellOf[id] becomes the cell of that id (ids are 0 .. cells - 1, each in exactly one cell). One pass
-  // per axis: O(n log^2 n) bitonic on cuda; on cpu insertion, O(n) for the small motion of one tick.
-  // Nothing is done while the word at d_hold (if any) is not 0: a captured tick cannot leave a launch out.
-  void maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
+  // In all that follows d_cells is [cells] and d_cellOf [cells]: upkeep leaves in d_cellOf[id] the cell of that id (ids
+  // are 0 .. cells - 1, each in exactly one cell). Null pointers throw std::invalid_argument. n is the number of cells.
 
-  // Upkeep with frozen rows: who stands in which row stays as it is, each row is sorted by x, and the rows' intervals
-  // are refreshed. Exact gathers stay exact and slow down while the rows widen: rebuild() when rowsWidened() says so.
-  // O(n) on cpu for the small motion of one tick.
-  void refresh(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+  // Upkeep after motion: sorts each pole by z, each column by y, then each row by x, and refreshes what is known of the
+  // rows. One pass per axis: O(n log^2 n) bitonic on cuda; on cpu insertion, O(n) for the small motion of one
+  // tick. Nothing is done while the word at d_hold (if any) is not 0: a captured tick cannot leave a launch out.
+  void maintain(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
 
-  // The summed heights of the rows by what they were after the last rebuild(); infinite when they had none then, 0 when
-  // they have none now. A rebuild pays above about kWorthRebuilding. Waits for the queue.
+  // Upkeep by partial odd-even transposition: one odd and one even pass along each axis (four steps in 2D, six in 3D),
+  // O(n). An entity moves by at most two cells per axis, so one that is far from its place takes many calls to
+  // reach it; a single line of m cells is in order after at most m / 2 calls (rounded up), and repeated calls without
+  // motion end with every line in order. Rows are not in order after one call and nothing is known of them: for
+  // windowed gathers only.
+  void transpose(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
+
+  // Upkeep for exact gathers, of a packed grid: all entities into rows anew, by counting levels of y (in 3D first
+  // slabs by levels of z), each row put into parts of x. Nearly as good as rebuild(), for a fraction of its
+  // cost whatever has moved: O(n). Levels span what the living spanned after the upkeep before. Rows are in ascending
+  // x by parts only. Follows a rebuild(), else throws std::logic_error.
+  void pack(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
+
+  // Upkeep with frozen rows, of a packed grid: who stands in which row stays as it is, each row is put into parts of x,
+  // and what is known of rows is refreshed. Exact gathers stay exact and slow down while the rows widen: pack() when
+  // rowsWidened() says so. O(n).
+  void refresh(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
+
+  // The summed heights of the rows by what they were after the last rebuild() or pack(); infinite when they had none
+  // then, 0 when they have none now. pack() pays above about kWorthRebuilding. Waits for the queue.
   float rowsWidened() const;
 
-  // Upkeep by partial odd-even transposition: one odd and one even pass along each axis, O(n). An entity moves
-  // by at most two cells per axis, so one that is far from its place takes many calls to reach it; repeated
-  // calls without motion end with every line in order. Rows are not in order after one call and their
-  // intervals are not refreshed: for windowed gathers only.
-  void transpose(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
+  // The full sort: all cells by y, cut into rows, each row by x (in 3D by z, cut into slabs, and those by y; the
+  // packing of sort-tile-recursive R-trees, Leutenegger et al. 1997). What exact gathers start from; it depends
+  // on the entities only, not on where they stood. O(n); takes 36 bytes for each cell while it runs, and waits.
+  void rebuild(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
 
-  // maintain() until hardly anything moves: the start that windowed gathers need. The full sort below leads
-  // to another stable state, in which a window misses half of the neighbours.
-  void settle(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+  // The other full sort: maintain() until nothing moves. What windowed gathers start from: in the order of rebuild() a
+  // window misses half of the neighbours. It ends, because each sort of a line raises the sum of place times
+  // coordinate. Uniform places take 8 to 13 rounds. Waits for the queue after each.
+  void settle(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
 
-  // The full sort: all cells by y, cut into rows, each row by x (the packing of sort-tile-recursive
-  // R-trees). For a start from an arbitrary arrangement; O(n log n).
-  void rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+  // How well the lines are in order and what the last upkeep did. O(n); waits for the queue.
+  UpkeepReport report(Queue& queue, const CellT* d_cells);
+
+  // See Steps. O(n); waits for the queue.
+  Steps steps(Queue& queue, const CellT* d_cells);
+
+  // Turns cells with a coordinate that is not a number into dead ones; how many. Sorting and searching know no NaN.
+  // O(n); waits for the queue.
+  uint32_t quarantine(Queue& queue, CellT* d_cells);
 
  private:
-  void sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool rebuilt);
+  void sortRows(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool built);
+  void splitRows(Queue& queue, CellT* d_cells, const CellT* d_from, uint32_t* d_cellOf, bool built);
+  void findReach(Queue& queue, bool built);
+  void requirePacked() const;
+  GridTotals totals() const;
 
   NDimensions dimensions_;
-  Buffer<float> low_, high_, reachHigh_, reachLow_, left_, perMetre_;
-  Buffer<uint32_t> living_;
+  Kept kept_ = Kept::inPlace;
+  bool known_ = false;  // something of the rows
+  uint32_t parts_ = 0, rounds_ = 0;
+  Buffer<GridRow> line_;
+  Buffer<Interval> depth_, reach_, slabReach_;
+  Buffer<uint32_t> living_, moved_;
   Buffer<uint16_t> starts_;
-  uint32_t buckets_ = 0;
-  SortKeys byY_;
-  Buffer<Cell> scratch_;
-  Buffer<float> heights_;  // of all rows together: now, after the last rebuild
+  Buffer<GridTotals> totals_, slabTotals_;  // the latter in 3D only
+  // Of a packed grid only.
+  BinSort byZ_, byY_;
+  Buffer<CellT> aside_;
 };
+
+// The n entities given, and as many dead cells behind them as `dimensions` have room for: what a grid is filled with.
+// Ids become 0 .. cells - 1 in order. Throws std::invalid_argument when n is 0 or more than there are cells, and when a
+// coordinate is NaN (it names the entity).
+template <class CellT>
+std::vector<CellT> padded(const std::vector<CellT>& entities, NDimensions dimensions);
 
 }  // namespace gw::GW_DEVICE

@@ -1,304 +1,276 @@
-#include <cmath>
+// Upkeep by sorting lines: every pole by z, every column by y, every row by x; and what is then known of the rows.
 #include <stdexcept>
-#include <string>
 
 #include "gpu/line_sort.h"
 #include "gpu/neighbour.h"
 #include "gpu/ngrid.h"
+#include "gpu/ngrid_rows.h"
 
 namespace gw::GW_DEVICE {
 namespace {
 
-constexpr uint32_t kLineLanes = GW_ON_CUDA ? 256 : 1;  // on cpu one lane walks along its line
+// Lines of one axis that lie in memory beside each other: columns of a slab, or all poles.
+struct Lines {
+  uint32_t length, toNext;   // cells of a line; from one to the next
+  uint32_t perPlane, plane;  // lines that begin in a row; from one such row to the next
+};
 
-// One team: a tile of neighbouring columns, each sorted by y. On cpu a tile is one cache line wide.
-struct SortColumns {
+// One team: a tile of neighbouring lines, each sorted. On cpu a tile is one cache line wide.
+template <class CellT, class Less>
+struct SortLines {
   static constexpr uint32_t kLanes = kLineLanes;
   static constexpr uint32_t kTile = GW_ON_CUDA ? 1 : 4;
   struct Shared {
-    Cell line[kTile][kLongestLine];
+    CellT line[kTile][kLongestLine];
   };
-  Cell* cells;
+  CellT* cells;
   const uint32_t* hold;
-  NDimensions dimensions;
+  Lines lines;
+
+  uint32_t tiles() const { return (lines.perPlane + kTile - 1) / kTile; }
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
     if (hold && *hold) return;  // all teams alike
-    const uint32_t first = team.index * kTile, columns = dimensions.columns, rows = dimensions.rows;
-    const uint32_t tile = columns - first < kTile ? columns - first : kTile;
+    const uint32_t tilesPerPlane = (lines.perPlane + kTile - 1) / kTile;
+    const uint32_t inPlane = team.index % tilesPerPlane * kTile;
+    const uint32_t tile = lines.perPlane - inPlane < kTile ? lines.perPlane - inPlane : kTile;
+    CellT* const first = cells + size_t(team.index / tilesPerPlane) * lines.plane + inPlane;
     team.phase([&](uint32_t lane) {
-      for (uint32_t row = lane; row < rows; row += kLanes) {
-        for (uint32_t t = 0; t < tile; ++t) s.line[t][row] = cells[row * columns + first + t];
+      for (uint32_t i = lane; i < lines.length; i += kLanes) {
+        for (uint32_t t = 0; t < tile; ++t) s.line[t][i] = first[size_t(i) * lines.toNext + t];
       }
     });
-    for (uint32_t t = 0; t < tile; ++t) sortLine<kLanes>(team, s.line[t], rows, ByY{});
+    for (uint32_t t = 0; t < tile; ++t) sortLine<kLanes>(team, s.line[t], lines.length, Less{});
     team.phase([&](uint32_t lane) {
-      for (uint32_t row = lane; row < rows; row += kLanes) {
-        for (uint32_t t = 0; t < tile; ++t) cells[row * columns + first + t] = s.line[t][row];
+      for (uint32_t i = lane; i < lines.length; i += kLanes) {
+        for (uint32_t t = 0; t < tile; ++t) first[size_t(i) * lines.toNext + t] = s.line[t][i];
       }
     });
   }
 };
 
-// One team: one row, sorted by x; then its interval of y, its living, and where each id now stands.
+// One team: one row, sorted by x; then what there is to know of it, and where each id now stands.
+template <class CellT>
 struct SortRows {
   static constexpr uint32_t kLanes = kLineLanes;
   struct Shared {
 #if GW_ON_CUDA
-    Cell line[kLongestLine];
+    CellT line[kLongestLine];
 #endif
-    float low[kLanes], high[kLanes];
-    uint32_t living[kLanes];
+    LivingBox box[kLanes];
   };
-  Cell* cells;
+  CellT* cells;
   uint32_t* cellOf;
-  float *low, *high, *left, *perMetre;
-  uint32_t* living;
-  uint16_t* starts;
+  RowsFound found;
   const uint32_t* hold;
-  uint32_t columns, buckets;
+  uint32_t columns;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
     if (hold && *hold) return;
     const uint32_t begin = team.index * columns;
 #if GW_ON_CUDA
-    Cell* const line = s.line;
+    CellT* const line = s.line;
     team.phase([&](uint32_t lane) {
       for (uint32_t c = lane; c < columns; c += kLanes) line[c] = cells[begin + c];
     });
 #else
-    Cell* const line = cells + begin;  // where it is
+    CellT* const line = cells + begin;  // where it is
 #endif
     sortLine<kLanes>(team, line, columns, ByX{});
     team.phase([&](uint32_t lane) {
-      float least = kInfinity, most = -kInfinity;
-      uint32_t count = 0;
+      LivingBox box = LivingBox::nothing();
       for (uint32_t c = lane; c < columns; c += kLanes) {
-        const Cell cell = line[c];
+        const CellT cell = line[c];
 #if GW_ON_CUDA
         cells[begin + c] = cell;
 #endif
+        box.moved += cellOf[cell.id] != begin + c;
         cellOf[cell.id] = begin + c;
-        if (isLiving(cell.x)) {
-          least = smaller(least, cell.y);
-          most = larger(most, cell.y);
-          ++count;
-        }
+        const bool lives = isLiving(cell.x);
+        LivingBox::grow(box.y, cell.y, lives);
+        if constexpr (!kFlat<CellT>) LivingBox::grow(box.z, cell.z, lives);
+        box.living += lives;
       }
-      s.low[lane] = least;
-      s.high[lane] = most;
-      s.living[lane] = count;
+      s.box[lane] = box;
     });
-    for (uint32_t half = kLanes / 2; half > 0; half /= 2) {
-      team.phase([&](uint32_t lane) {
-        if (lane >= half) return;
-        s.low[lane] = smaller(s.low[lane], s.low[lane + half]);
-        s.high[lane] = larger(s.high[lane], s.high[lane + half]);
-        s.living[lane] += s.living[lane + half];
-      });
-    }
+    joinBoxes<kLanes>(team, s.box);
     team.phase([&](uint32_t lane) {
       if (lane != 0) return;
-      low[team.index] = s.low[0];
-      high[team.index] = s.high[0];
-      living[team.index] = s.living[0];
+      LivingBox& box = s.box[0];  // the living are the first of a sorted row
+      if (box.living) box.x = {line[0].x, line[box.living - 1].x};
+      writeRow(found, team.index, box);
     });
-    team.phase([&](uint32_t lane) { indexRow(team.index, line, lane, s.living[0]); });
+    team.phase([&](uint32_t lane) { indexRow(team.index, line, lane, s.box[0]); });
   }
 
   // Lane by lane: the parts of x that begin at each living cell, then those after the last.
-  GW_BODY void indexRow(uint32_t row, const Cell* line, uint32_t lane, uint32_t count) const {
-    const float from = count ? line[0].x : 0.0f, width = count ? line[count - 1].x - from : 0.0f;
-    const float scale = width > 0.0f ? float(buckets) / width : 0.0f;
-    if (lane == 0) {
-      left[row] = from;
-      perMetre[row] = scale;
-    }
-    NGridView view{};
-    view.left = &from;
-    view.perMetre = &scale;
-    view.buckets = buckets;
-    uint16_t* mine = starts + row * (buckets + 1);
+  GW_BODY void indexRow(uint32_t line, const CellT* cell, uint32_t lane, const LivingBox& box) const {
+    const GridRow row = box.row(found.parts);
+    const uint32_t count = box.living;
+    uint16_t* starts = found.starts + size_t(line) * (found.parts + 1);
     for (uint32_t c = lane; c <= count; c += kLanes) {
-      const uint32_t first = c == 0 ? 0 : view.bucketOf(0, line[c - 1].x) + 1;
-      const uint32_t last = c == count ? buckets : view.bucketOf(0, line[c].x);
-      for (uint32_t b = first; b <= last; ++b) mine[b] = uint16_t(c);
+      const uint32_t first = c == 0 ? 0 : partOf(row, found.parts, cell[c - 1].x) + 1;
+      const uint32_t last = c == count ? found.parts : partOf(row, found.parts, cell[c].x);
+      for (uint32_t p = first; p <= last; ++p) starts[p] = uint16_t(c);
     }
   }
 };
 
-// As many parts as keep the whole index small; two for a cell are plenty.
-uint32_t bucketsFor(NDimensions dimensions) {
-  constexpr uint32_t kIndexBytes = 40 * 1024;
-  const uint32_t fit = kIndexBytes / 2 / dimensions.rows, wanted = 2 * dimensions.columns;
-  return larger(smaller(fit, wanted), 1u);
-}
-
-// One team in all: the running maximum of `high` and the running minimum, from behind, of `low`.
+// One team: of one slab, the running maximum of `high` and the running minimum, from behind, of `low` over its rows.
+// Of a single slab also what is known of the whole grid.
 struct FindReach {
   static constexpr uint32_t kLanes = 64;
   struct Shared {
-    float high[kLanes], low[kLanes], height[kLanes];
+    Interval reach[kLanes], z[kLanes];
+    float height[kLanes];
+    uint32_t moved[kLanes];
   };
-  float *reachHigh, *reachLow, *heights;
-  const float *high, *low;
-  uint32_t rows, rebuilt;
+  Interval* reach;
+  GridTotals *slabTotals, *totals;  // [slabs], of each; of all
+  RowsFound found;
+  uint32_t rows, slabs, built;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
-    const uint32_t each = (rows + kLanes - 1) / kLanes;
+    const uint32_t each = (rows + kLanes - 1) / kLanes, base = team.index * rows;
     team.phase([&](uint32_t lane) {
-      float most = -kInfinity, least = kInfinity, height = 0.0f;
+      Interval y{kInfinity, -kInfinity}, z{kInfinity, -kInfinity};
+      float height = 0.0f;
+      uint32_t moved = 0;
       for (uint32_t row = lane * each; row < (lane + 1) * each && row < rows; ++row) {
-        most = larger(most, high[row]);
-        least = smaller(least, low[row]);
-        if (high[row] > low[row]) height += high[row] - low[row];
+        const GridRow line = found.line[base + row];
+        y = {smaller(y.low, line.low), larger(y.high, line.high)};
+        if (found.depth)
+          z = {smaller(z.low, found.depth[base + row].low), larger(z.high, found.depth[base + row].high)};
+        if (line.high > line.low) height += line.high - line.low;
+        moved += found.moved[base + row];
       }
-      s.high[lane] = most;
-      s.low[lane] = least;
+      s.reach[lane] = y;
+      s.z[lane] = z;
       s.height[lane] = height;
+      s.moved[lane] = moved;
     });
     team.phase([&](uint32_t lane) {
       float most = -kInfinity, least = kInfinity;
-      for (uint32_t l = 0; l < lane; ++l) most = larger(most, s.high[l]);
-      for (uint32_t l = lane + 1; l < kLanes; ++l) least = smaller(least, s.low[l]);
-      if (lane == 0) {
-        float height = 0.0f;
-        for (uint32_t l = 0; l < kLanes; ++l) height += s.height[l];
-        heights[0] = height;
-        if (rebuilt) heights[1] = height;
-      }
+      for (uint32_t l = 0; l < lane; ++l) most = larger(most, s.reach[l].high);
+      for (uint32_t l = lane + 1; l < kLanes; ++l) least = smaller(least, s.reach[l].low);
+      if (lane == 0) writeTotals(team.index, s);
       const uint32_t begin = lane * each, end = smaller((lane + 1) * each, rows);
-      for (uint32_t row = begin; row < end; ++row) reachHigh[row] = most = larger(most, high[row]);
-      for (uint32_t row = end; row > begin; --row) reachLow[row - 1] = least = smaller(least, low[row - 1]);
+      for (uint32_t row = begin; row < end; ++row) {
+        reach[base + row].high = most = larger(most, found.line[base + row].high);
+      }
+      for (uint32_t row = end; row > begin; --row) {
+        reach[base + row - 1].low = least = smaller(least, found.line[base + row - 1].low);
+      }
     });
+  }
+
+  GW_BODY void writeTotals(uint32_t slab, const Shared& s) const {
+    GridTotals all{0.0f, 0.0f, {kInfinity, -kInfinity}, {kInfinity, -kInfinity}, 0};
+    for (uint32_t l = 0; l < kLanes; ++l) {
+      all.height += s.height[l];
+      all.y = {smaller(all.y.low, s.reach[l].low), larger(all.y.high, s.reach[l].high)};
+      all.z = {smaller(all.z.low, s.z[l].low), larger(all.z.high, s.z[l].high)};
+      all.moved += s.moved[l];
+    }
+    if (slabs == 1) {
+      all.heightBuilt = built ? all.height : totals->heightBuilt;
+      *totals = all;
+    }
+    if (slabTotals) slabTotals[slab] = all;
   }
 };
 
-// One item: one cell's key for the full sort. Equal y are told apart by the place the cell has now, which
-// is by id only if the arrangement is: rebuild() callers hand in cells in the order of their ids.
-struct MakeKeys {
-  uint64_t* keys;
-  const Cell* cells;
-  GW_BODY void operator()(uint32_t i) const { keys[i] = uint64_t(orderedBits(cells[i].y)) << 32 | i; }
-};
+// One team in all: the same over slabs.
+struct FindSlabReach {
+  static constexpr uint32_t kLanes = 1;
+  struct Shared {};
+  Interval* reach;  // [slabs]
+  GridTotals* totals;
+  const GridTotals* slabTotals;
+  uint32_t slabs, built;
 
-struct CopyCells {
-  Cell* out;
-  const Cell* in;
-  GW_BODY void operator()(uint32_t i) const { out[i] = in[i]; }
-};
-
-struct TakeByKeys {
-  Cell* out;
-  const Cell* in;
-  const uint64_t* keys;
-  GW_BODY void operator()(uint32_t i) const { out[i] = in[uint32_t(keys[i])]; }
+  template <class Team>
+  GW_BODY void operator()(const Team& team, Shared&) const {
+    team.phase([&](uint32_t) {
+      GridTotals all{0.0f, 0.0f, {kInfinity, -kInfinity}, {kInfinity, -kInfinity}, 0};
+      for (uint32_t slab = 0; slab < slabs; ++slab) {
+        const GridTotals mine = slabTotals[slab];
+        all.height += mine.height;
+        all.y = {smaller(all.y.low, mine.y.low), larger(all.y.high, mine.y.high)};
+        all.z = {smaller(all.z.low, mine.z.low), larger(all.z.high, mine.z.high)};
+        all.moved += mine.moved;
+        reach[slab].high = all.z.high;
+      }
+      float least = kInfinity;
+      for (uint32_t slab = slabs; slab > 0; --slab) {
+        reach[slab - 1].low = least = smaller(least, slabTotals[slab - 1].z.low);
+      }
+      all.heightBuilt = built ? all.height : totals->heightBuilt;
+      *totals = all;
+    });
+  }
 };
 
 }  // namespace
 
-NDimensions chooseDimensions(uint32_t n) {
-  // Odd multiples of 16 cells: a stride that is a power of two would put a whole column into one cache set.
-  uint32_t columns = 16;
-  while (uint64_t(columns) * columns < 24ull * n && columns + 32 <= kLongestLine) columns += 32;
-  NDimensions found{columns, n / columns + (n % columns ? 1 : 0)};
-  if (found.rows == 0) found.rows = 1;
-  if (found.rows > kLongestLine) {
-    throw std::invalid_argument("An NGrid of " + std::to_string(n) + " cells is too large: at most " +
-                                std::to_string(columns * kLongestLine) + " fit; use fewer entities.");
+void requireBuffers(const void* d_cells, const void* d_cellOf) {
+  if (!d_cells) throw std::invalid_argument("d_cells is null; give the grid a buffer with a cell for each of its own.");
+  if (!d_cellOf) throw std::invalid_argument("d_cellOf is null; give the grid a buffer with a word for each cell.");
+}
+
+template <class CellT>
+void NGrid<CellT>::maintain(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
+  requireBuffers(d_cells, d_cellOf);
+  const uint32_t columns = dimensions_.columns, rows = dimensions_.rows, slabs = dimensions_.slabs;
+  if (slabs > 1) {
+    const SortLines<CellT, ByZ> poles{d_cells, d_hold, {slabs, columns * rows, columns * rows, 0}};
+    forEachTeam(queue, poles.tiles(), poles);
   }
-  return found;
-}
-
-NDimensions chooseWindowDimensions(uint32_t n, float aspect) {
-  if (!(aspect > 0.0f && aspect < kInfinity)) throw std::invalid_argument("A world has a width and a height.");
-  const double wanted = std::sqrt(double(n) * double(aspect)) + 0.5;
-  uint32_t columns = wanted < 1.0 ? 1 : wanted > kLongestLine ? kLongestLine : uint32_t(wanted);
-  columns = larger(columns, n / kLongestLine + (n % kLongestLine ? 1 : 0));  // a world too tall for its rows
-  if (columns > kLongestLine) {
-    throw std::invalid_argument("An NGrid of " + std::to_string(n) + " cells is too large: at most " +
-                                std::to_string(kLongestLine * kLongestLine) + " fit; use fewer entities.");
-  }
-  return {columns, larger(n / columns + (n % columns ? 1 : 0), 1u)};
-}
-
-// Before anything is allocated for them, and while their product may not fit 32 bits.
-static NDimensions checked(NDimensions dimensions) {
-  if (dimensions.columns == 0 || dimensions.columns > kLongestLine || dimensions.rows == 0 ||
-      dimensions.rows > kLongestLine) {
-    throw std::invalid_argument("An NGrid has 1 to " + std::to_string(kLongestLine) + " rows and columns.");
-  }
-  return dimensions;
-}
-
-NGrid::NGrid(Queue& queue, NDimensions dimensions)
-    : dimensions_(checked(dimensions)),
-      low_(queue, dimensions.rows),
-      high_(queue, dimensions.rows),
-      reachHigh_(queue, dimensions.rows),
-      reachLow_(queue, dimensions.rows),
-      left_(queue, dimensions.rows),
-      perMetre_(queue, dimensions.rows),
-      living_(queue, dimensions.rows),
-      starts_(queue, dimensions.rows * (bucketsFor(dimensions) + 1)),
-      buckets_(bucketsFor(dimensions)),
-      byY_(queue, dimensions.cells()),
-      scratch_(queue, dimensions.cells()),
-      heights_(queue, 2) {}
-
-NGridView NGrid::view(const Cell* d_cells) const {
-  return {d_cells,           dimensions_.columns, dimensions_.rows, low_.data(),  high_.data(),     living_.data(),
-          reachHigh_.data(), reachLow_.data(),    starts_.data(),   left_.data(), perMetre_.data(), buckets_,
-          heights_.data()};
-}
-
-size_t NGrid::bytes() const {
-  return size_t(dimensions_.rows) * (6 * sizeof(float) + sizeof(uint32_t)) + starts_.size() * sizeof(uint16_t) +
-         byY_.bytes() + scratch_.size() * sizeof(Cell);
-}
-
-void NGrid::maintain(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {
-  constexpr uint32_t kTile = SortColumns::kTile;
-  forEachTeam(queue, (dimensions_.columns + kTile - 1) / kTile, SortColumns{d_cells, d_hold, dimensions_});
+  const SortLines<CellT, ByY> sortColumns{d_cells, d_hold, {rows, columns, columns, columns * rows}};
+  forEachTeam(queue, sortColumns.tiles() * slabs, sortColumns);
   sortRows(queue, d_cells, d_cellOf, d_hold, false);
+  rounds_ = 1;
 }
 
-void NGrid::refresh(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
-  sortRows(queue, d_cells, d_cellOf, nullptr, false);
+template <class CellT>
+void NGrid<CellT>::settle(Queue& queue, CellT* d_cells, uint32_t* d_cellOf) {
+  uint32_t rounds = 0;
+  do {
+    maintain(queue, d_cells, d_cellOf);
+    ++rounds;
+  } while (totals().moved > 0);
+  rounds_ = rounds;
 }
 
-float NGrid::rowsWidened() const {
-  float heights[2];
-  heights_.download(heights, 2);
-  NGridView view{};
-  view.heights = heights;
-  return view.widened();
+template <class CellT>
+void NGrid<CellT>::sortRows(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool built) {
+  const RowsFound found{line_.data(), depth_.data(), living_.data(), moved_.data(), starts_.data(), parts_};
+  forEachTeam(queue, dimensions_.lines(), SortRows<CellT>{d_cells, d_cellOf, found, d_hold, dimensions_.columns});
+  findReach(queue, built);
 }
 
-void NGrid::settle(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
-  constexpr uint32_t kRounds = 16;  // uniform data come to rest in 8 to 13
-  for (uint32_t round = 0; round < kRounds; ++round) maintain(queue, d_cells, d_cellOf);
+template <class CellT>
+void NGrid<CellT>::findReach(Queue& queue, bool built) {
+  const uint32_t slabs = dimensions_.slabs;
+  const RowsFound found{line_.data(), depth_.data(), living_.data(), moved_.data(), starts_.data(), parts_};
+  forEachTeam(queue, slabs,
+              FindReach{reach_.data(), slabTotals_.data(), totals_.data(), found, dimensions_.rows, slabs, built});
+  if (!kFlat<CellT>) {
+    forEachTeam(queue, 1, FindSlabReach{slabReach_.data(), totals_.data(), slabTotals_.data(), slabs, built});
+  }
+  known_ = true;
 }
 
-void NGrid::rebuild(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
-  const Count all{dimensions_.cells()};
-  forEach(queue, all, MakeKeys{byY_.keys(), d_cells});
-  byY_.run(queue, 32);
-  forEach(queue, all, CopyCells{scratch_.data(), d_cells});
-  forEach(queue, all, TakeByKeys{d_cells, scratch_.data(), byY_.keys()});
-  sortRows(queue, d_cells, d_cellOf, nullptr, true);
-}
-
-void NGrid::sortRows(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool rebuilt) {
-  forEachTeam(queue, dimensions_.rows,
-              SortRows{d_cells, d_cellOf, low_.data(), high_.data(), left_.data(), perMetre_.data(), living_.data(),
-                       starts_.data(), d_hold, dimensions_.columns, buckets_});
-  forEachTeam(queue, 1,
-              FindReach{reachHigh_.data(), reachLow_.data(), heights_.data(), high_.data(), low_.data(),
-                        dimensions_.rows, rebuilt});
-}
+template void NGrid<Cell>::maintain(Queue&, Cell*, uint32_t*, const uint32_t*);
+template void NGrid<Cell3>::maintain(Queue&, Cell3*, uint32_t*, const uint32_t*);
+template void NGrid<Cell>::settle(Queue&, Cell*, uint32_t*);
+template void NGrid<Cell3>::settle(Queue&, Cell3*, uint32_t*);
+template void NGrid<Cell>::sortRows(Queue&, Cell*, uint32_t*, const uint32_t*, bool);
+template void NGrid<Cell3>::sortRows(Queue&, Cell3*, uint32_t*, const uint32_t*, bool);
+template void NGrid<Cell>::findReach(Queue&, bool);
+template void NGrid<Cell3>::findReach(Queue&, bool);
 
 }  // namespace gw::GW_DEVICE

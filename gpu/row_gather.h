@@ -1,10 +1,10 @@
-// Exact gathering in an NGrid: precisely the neighbours that brute force finds, however misaligned the
-// columns are. Needs only what maintain() guarantees: rows in ascending x, and each row's interval of y.
+// Exact gathering in an NGrid: precisely the neighbours that brute force finds, however misaligned columns and poles
+// are. Needs only what upkeep finds out about rows: their intervals of y (in 3D of z too) and their index of x.
 //
 //        high[row] ┌───────────────┐        visit the rows whose interval meets [y - r, y + r],
 //   y + r ─ ─ ─ ─ ─│─ ─┌───┐─ ─ ─ ─│        and in such a row the one span of columns whose x
-//                  │   │ ■ │       │        lies in [x - r, x + r], found by an index
-//   y - r ─ ─ ─ ─ ─│─ ─└───┘─ ─ ─ ─│
+//                  │   │ ■ │       │        lies in [x - r, x + r], found by the index;
+//   y - r ─ ─ ─ ─ ─│─ ─└───┘─ ─ ─ ─│        in 3D, of the slabs that meet [z - r, z + r]
 //         low[row] └───────────────┘
 //
 // All pruning uses the rounded differences of the neighbour test itself: rounding is monotonic, so what is
@@ -16,108 +16,132 @@
 
 namespace gw::GW_DEVICE {
 
+template <class CellT>
 struct RowGather {
-  NGridView grid;
+  using Place = PlaceOf<CellT>;
+  NGridView<CellT> grid;
 
   // Calls visit(cell, index, away) for each living neighbour of the place `at` within radius, away from it by
   // `away`; an entity that stands there itself is among them. Returns how many pair tests that took. The order
-  // of visits is that of the cells and must not matter. radius in (0, infinity), `at` finite.
+  // of visits is that of the cells and must not matter. radius in [0, infinity], `at` finite.
   template <class Visitor>
-  GW_MEMBER uint32_t operator()(Float2 at, float radius, Visitor&& visit) const {
-    return visitRows(rowsFrom(nearestRow(at.y), at.y, radius), at, radius, visit);
+  GW_MEMBER uint32_t operator()(Place at, float radius, Visitor&& visit) const {
+    uint32_t slab = 0;
+    if constexpr (!kFlat<CellT>) slab = nearest(grid.slabReach, grid.slabs, at.z);
+    const uint32_t row = nearest(grid.reach + slab * grid.rows, grid.rows, at.y);
+    return visitFrom(0, slab * grid.rows + row, at, radius, visit);
   }
 
   // The same for an asker that stands in the grid itself, in cell `index`: near there the rows are looked for.
   template <class Visitor>
-  GW_MEMBER uint32_t around(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
-    return visitRows(rowsFrom(index / grid.columns, at.y, radius), at, radius, visit);
+  GW_MEMBER uint32_t around(uint32_t index, Place at, float radius, Visitor&& visit) const {
+    return visitFrom(0, index / grid.columns, at, radius, visit);
   }
 
   // The same, but only what stands in a cell after `index`: over all cells each pair is found once, from one side,
   // for half the tests. `at` is the asker's place, in its cell or elsewhere: where it will be, say.
   template <class Visitor>
-  GW_MEMBER uint32_t after(uint32_t index, Float2 at, float radius, Visitor&& visit) const {
-    const uint32_t row = index / grid.columns;
-    Rows rows = rowsFrom(row, at.y, radius);
-    rows.begin = larger(rows.begin, row + 1);
-    const uint32_t tested = visitSpan(row, index % grid.columns + 1, at, radius, visit);
-    return tested + visitRows(rows, at, radius, visit);
+  GW_MEMBER uint32_t after(uint32_t index, Place at, float radius, Visitor&& visit) const {
+    const uint32_t line = index / grid.columns;
+    const uint32_t tested = visitSpan(line, grid.line[line], index % grid.columns + 1, at, radius, visit);
+    return tested + visitFrom(line + 1, line, at, radius, visit);
   }
 
  private:
-  struct Rows {
-    uint32_t begin, end;
-  };
-
+  // The lines from `first` on that may meet the asker's box, looked for near the line `near`.
   template <class Visitor>
-  GW_MEMBER uint32_t visitRows(Rows rows, Float2 at, float radius, Visitor&& visit) const {
-    uint32_t tested = 0;
-    for (uint32_t row = rows.begin; row < rows.end; ++row) {
-      if (grid.low[row] - at.y > radius || at.y - grid.high[row] > radius) continue;
-      tested += visitSpan(row, firstColumn(row, at.x, radius), at, radius, visit);
+  GW_MEMBER uint32_t visitFrom(uint32_t first, uint32_t near, Place at, float radius, Visitor&& visit) const {
+    if constexpr (kFlat<CellT>) {
+      return visitRows(0, first, near, at, radius, visit);
+    } else {
+      const uint32_t row = near % grid.rows;
+      uint32_t tested = 0, slab = firstReaching(grid.slabReach, grid.slabs, near / grid.rows, at.z, radius);
+      for (; slab < grid.slabs && !(grid.slabReach[slab].low - at.z > radius); ++slab) {
+        const uint32_t base = slab * grid.rows;
+        if (first < base + grid.rows)
+          tested += visitRows(base, first > base ? first - base : 0, row, at, radius, visit);
+      }
+      return tested;
+    }
+  }
+
+  // Those of one slab, whose lines begin at `base`.
+  template <class Visitor>
+  GW_MEMBER uint32_t visitRows(uint32_t base, uint32_t first, uint32_t near, Place at, float radius,
+                               Visitor&& visit) const {
+    const Interval* reach = grid.reach + base;
+    uint32_t tested = 0, row = larger(firstReaching(reach, grid.rows, near, at.y, radius), first);
+    for (; row < grid.rows && !(reach[row].low - at.y > radius); ++row) {
+      const GridRow line = grid.line[base + row];
+      if (line.low - at.y > radius || at.y - line.high > radius) continue;
+      if constexpr (!kFlat<CellT>) {
+        const Interval depth = grid.depth[base + row];
+        if (depth.low - at.z > radius || at.z - depth.high > radius) continue;
+      }
+      tested += visitSpan(base + row, line, 0, at, radius, visit);
     }
     return tested;
   }
 
-  // The columns of one row from `begin` to the end of the span.
+  // The columns of one line from `begin` on that may be within the radius.
   template <class Visitor>
-  GW_MEMBER uint32_t visitSpan(uint32_t row, uint32_t begin, Float2 at, float radius, Visitor&& visit) const {
-    const Cell* line = grid.cells + row * grid.columns;
-    const uint32_t end = endColumn(row, at.x, radius);
-    for (uint32_t c = begin; c < end; ++c) {
-      const Float2 away = placeOf(line[c]) - at;
-      if (isNeighbour(away, radius)) visit(line[c], row * grid.columns + c, away);
+  GW_MEMBER uint32_t visitSpan(uint32_t row, GridRow line, uint32_t begin, Place at, float radius,
+                               Visitor&& visit) const {
+    // What is neighbour may round: edges are widened by more than that.
+    const float rounding = (magnitude(at.x) + radius) * 0x1p-20f;
+    const uint16_t* starts = grid.starts + size_t(row) * (grid.parts + 1);
+    const uint16_t* from = starts + partOf(line, grid.parts, at.x - radius - rounding);
+    const uint16_t* to = starts + partOf(line, grid.parts, at.x + radius + rounding);
+    const CellT* cells = grid.cells + row * grid.columns;
+    const uint32_t first = larger(firstColumn(cells, from[0], from[1], at.x, radius), begin);
+    const uint32_t end = endColumn(cells, to[0], to[1], at.x, radius);
+    for (uint32_t c = first; c < end; ++c) {
+      const Place away = placeOf(cells[c]) - at;
+      if (isNeighbour(away, radius)) visit(cells[c], row * grid.columns + c, away);
     }
-    return end > begin ? end - begin : 0;
+    return end > first ? end - first : 0;
   }
 
-  // The rows that may meet [y - radius, y + radius], walking from one of them or one near by.
-  GW_MEMBER Rows rowsFrom(uint32_t row, float y, float radius) const {
-    uint32_t begin = row, end = row + 1;
-    while (begin < grid.rows && y - grid.reachHigh[begin] > radius) ++begin;
-    while (begin > 0 && !(y - grid.reachHigh[begin - 1] > radius)) --begin;
-    while (end > 0 && grid.reachLow[end - 1] - y > radius) --end;
-    while (end < grid.rows && !(grid.reachLow[end] - y > radius)) ++end;
-    return {begin, end};
+  // The first of `count` rows, or slabs, that reaches up to `place` - radius, walking from one near by. The first step
+  // down is as likely as not, so it is taken without a branch.
+  GW_MEMBER static uint32_t firstReaching(const Interval* reach, uint32_t count, uint32_t near, float place,
+                                          float radius) {
+    uint32_t begin = near;
+    while (begin < count && place - reach[begin].high > radius) ++begin;
+    const uint32_t before = begin > 0 ? begin - 1 : 0;
+    begin = place - reach[before].high > radius ? begin : before;
+    while (begin > 0 && !(place - reach[begin - 1].high > radius)) --begin;
+    return begin;
   }
 
-  // The first row that reaches up to y, or the last.
-  GW_MEMBER uint32_t nearestRow(float y) const {
-    uint32_t begin = 0, count = grid.rows;
+  // The first that reaches up to `place`, or the last.
+  GW_MEMBER static uint32_t nearest(const Interval* reach, uint32_t count, float place) {
+    uint32_t begin = 0;
     while (count > 1) {
       const uint32_t half = count / 2;
-      begin += grid.reachHigh[begin + half - 1] < y ? half : 0;
+      begin += reach[begin + half - 1].high < place ? half : 0;
       count -= half;
     }
     return begin;
   }
 
-  // What is neighbour may round: edges are widened by more than that.
-  GW_MEMBER static float roundingOf(float x, float radius) { return (magnitude(x) + radius) * 0x1p-20f; }
-
-  // The index says in which few columns the span begins; bisection, without branches since its steps are equally
-  // likely to go either way, makes them fewer.
-  GW_MEMBER uint32_t firstColumn(uint32_t row, float x, float radius) const {
-    const uint16_t* start =
-        grid.starts + row * (grid.buckets + 1) + grid.bucketOf(row, x - radius - roundingOf(x, radius));
-    const Cell* line = grid.cells + row * grid.columns;
-    uint32_t begin = start[0], count = start[1] - begin;
-    while (count > kFew) {
+  // The index says in which few columns a span begins or ends. Of a sorted row bisection makes them fewer, without
+  // branches since its steps are equally likely to go either way.
+  GW_MEMBER uint32_t firstColumn(const CellT* cells, uint32_t begin, uint32_t end, float x, float radius) const {
+    uint32_t count = end - begin;
+    while (count > kFew && grid.sorted) {
       const uint32_t half = count / 2;
-      begin += line[begin + half - 1].x - x < -radius ? half : 0;
+      begin += cells[begin + half - 1].x - x < -radius ? half : 0;
       count -= half;
     }
     return begin;
   }
 
-  GW_MEMBER uint32_t endColumn(uint32_t row, float x, float radius) const {
-    const uint16_t* start =
-        grid.starts + row * (grid.buckets + 1) + grid.bucketOf(row, x + radius + roundingOf(x, radius));
-    const Cell* line = grid.cells + row * grid.columns;
-    uint32_t begin = start[0], count = start[1] - begin;
-    while (count > kFew) {
+  GW_MEMBER uint32_t endColumn(const CellT* cells, uint32_t begin, uint32_t end, float x, float radius) const {
+    uint32_t count = end - begin;
+    while (count > kFew && grid.sorted) {
       const uint32_t half = count / 2;
-      begin += line[begin + half - 1].x - x > radius ? 0 : half;
+      begin += cells[begin + half - 1].x - x > radius ? 0 : half;
       count -= half;
     }
     return begin + count;
@@ -125,5 +149,7 @@ struct RowGather {
 
   static constexpr uint32_t kFew = 8;
 };
+template <class CellT>
+RowGather(NGridView<CellT>) -> RowGather<CellT>;
 
 }  // namespace gw::GW_DEVICE

@@ -74,14 +74,13 @@ struct GridGather {
   }
 
  private:
-  static constexpr bool kFlat = sizeof(PlaceOf<CellT>) == sizeof(Float2);
 
   template <class Visitor>
   GW_MEMBER uint32_t visitFrom(uint32_t from, PlaceOf<CellT> at, float radius, Visitor&& visit) const {
     const uint32_t left = bins.first(0, at.x, radius), right = bins.last(0, at.x, radius);
     const uint32_t low = bins.first(1, at.y, radius), high = bins.last(1, at.y, radius);
-    const uint32_t bottom = kFlat ? 0 : bins.first(2, heightOf(at), radius);
-    const uint32_t top = kFlat ? 0 : bins.last(2, heightOf(at), radius);
+    const uint32_t bottom = kFlat<CellT> ? 0 : bins.first(2, heightOf(at), radius);
+    const uint32_t top = kFlat<CellT> ? 0 : bins.last(2, heightOf(at), radius);
     uint32_t tested = 0;
     for (uint32_t z = bottom; z <= top; ++z) {
       for (uint32_t y = low; y <= high; ++y) {

@@ -57,13 +57,6 @@ struct MoveTo {
   GW_BODY void operator()(uint32_t id) const { cells[cellOf[id]] = byId[id]; }
 };
 
-GW_FN void kill(Cell& cell, uint32_t id) {
-  cell = {kInfinity, kInfinity, id, 0};
-}
-GW_FN void kill(Cell3& cell, uint32_t id) {
-  cell = {kInfinity, kInfinity, kInfinity, id};
-}
-
 // What the ways have in common: the cells, in as many as the structure wants, the rest dead.
 template <class CellT, class Structure>
 class Searcher : public bench::Contender<CellT> {
@@ -87,7 +80,7 @@ class Searcher : public bench::Contender<CellT> {
     all.resize(capacity_);
     std::vector<uint32_t> own(capacity_);
     for (uint32_t i = 0; i < capacity_; ++i) {
-      if (i >= entities_) kill(all[i], i);
+      if (i >= entities_) all[i] = deadCell(CellT{}, i);
       own[i] = i;
     }
     cells_.upload(all);
@@ -177,39 +170,54 @@ struct Hash {
   size_t bytes() const { return grid.bytes(); }
 };
 
-enum class Upkeep { bitonic, full, frozen };
+template <class CellT>
+Float3 sizeOf(const Place& place) {
+  return {place.world[0], place.world[1], kFlat<CellT> ? 0.0f : place.world[2]};
+}
 
+enum class Upkeep { bitonic, full, packed, frozen };
+
+template <class CellT>
 struct Rows {
   Upkeep upkeep;
-  NGrid grid{};
-  uint32_t prepare(Queue& queue, const Place&, uint32_t n) {
-    grid = {queue, chooseDimensions(n)};
+  NGrid<CellT> grid{};
+  uint32_t prepare(Queue& queue, const Place& place, uint32_t n) {
+    const bool inPlace = upkeep == Upkeep::bitonic || upkeep == Upkeep::full;
+    grid = {queue, chooseDimensions(n, sizeOf<CellT>(place), place.radius), inPlace ? Kept::inPlace : Kept::packed};
     return grid.dimensions().cells();
   }
-  void build(Queue& queue, Cell* cells, uint32_t* cellOf) { grid.rebuild(queue, cells, cellOf); }
-  void maintain(Queue& queue, Cell* cells, uint32_t* cellOf) {
-    if (upkeep == Upkeep::bitonic) return grid.maintain(queue, cells, cellOf);
-    if (upkeep == Upkeep::full || grid.rowsWidened() > kWorthRebuilding) return grid.rebuild(queue, cells, cellOf);
-    grid.refresh(queue, cells, cellOf);
+  void build(Queue& queue, CellT* cells, uint32_t* cellOf) { grid.rebuild(queue, cells, cellOf); }
+  void maintain(Queue& queue, CellT* cells, uint32_t* cellOf) {
+    switch (upkeep) {
+      case Upkeep::bitonic:
+        return grid.maintain(queue, cells, cellOf);
+      case Upkeep::full:
+        return grid.rebuild(queue, cells, cellOf);
+      case Upkeep::packed:
+        return grid.pack(queue, cells, cellOf);
+      case Upkeep::frozen:
+        return grid.rowsWidened() > kWorthRebuilding ? grid.pack(queue, cells, cellOf)
+                                                     : grid.refresh(queue, cells, cellOf);
+    }
   }
-  RowGather search(const Cell* cells) const { return {grid.view(cells)}; }
+  RowGather<CellT> search(const CellT* cells) const { return {grid.view(cells)}; }
   size_t bytes() const { return grid.bytes(); }
 };
 
-template <class Gather>
+template <class CellT, template <class> class Gather>
 struct Window {
   bool oddEven;
-  NGrid grid{};
+  NGrid<CellT> grid{};
   uint32_t prepare(Queue& queue, const Place& place, uint32_t n) {
-    grid = {queue, chooseWindowDimensions(n, place.world[0] / place.world[1])};
+    grid = {queue, chooseWindowDimensions(n, sizeOf<CellT>(place))};
     return grid.dimensions().cells();
   }
-  void build(Queue& queue, Cell* cells, uint32_t* cellOf) { grid.settle(queue, cells, cellOf); }
-  void maintain(Queue& queue, Cell* cells, uint32_t* cellOf) {
+  void build(Queue& queue, CellT* cells, uint32_t* cellOf) { grid.settle(queue, cells, cellOf); }
+  void maintain(Queue& queue, CellT* cells, uint32_t* cellOf) {
     if (oddEven) return grid.transpose(queue, cells, cellOf);
     grid.maintain(queue, cells, cellOf);
   }
-  Gather search(const Cell* cells) const { return {grid.view(cells)}; }
+  Gather<CellT> search(const CellT* cells) const { return {grid.view(cells)}; }
   size_t bytes() const { return grid.bytes(); }
 };
 
@@ -226,25 +234,25 @@ std::unique_ptr<bench::Contender<CellT>> make(const ExecOptions& options, const 
 
 constexpr uint32_t kAny = ~0u, kSlow = 1u << 16;
 
-const std::vector<Choice<Cell>> kWays2{
-    {{"grid", true, kAny}, make<Cell, Bin<Cell>, 1>},
-    {{"grid, half bins", true, kAny}, make<Cell, Bin<Cell>, 2>},
-    {{"grid, hashed", true, kAny}, make<Cell, Hash<Cell>>},
-    {{"ngrid, bitonic", true, kAny}, make<Cell, Rows, Upkeep::bitonic>},
-    {{"ngrid, full sort", true, kAny}, make<Cell, Rows, Upkeep::full>},
-    {{"ngrid, frozen rows", true, kAny}, make<Cell, Rows, Upkeep::frozen>},
-    {{"thesis: fixed 4, bitonic", false, kAny}, make<Cell, Window<FixedGather>, false>},
-    {{"thesis: fixed 4, odd-even", false, kAny}, make<Cell, Window<FixedGather>, true>},
-    {{"thesis: adaptive, bitonic", false, kAny}, make<Cell, Window<AdaptiveGather>, false>},
-    {{"thesis: adaptive, odd-even", false, kAny}, make<Cell, Window<AdaptiveGather>, true>},
-    {{"brute force", true, kSlow}, make<Cell, Brute<Cell>>},
-};
-const std::vector<Choice<Cell3>> kWays3{
-    {{"grid", true, kAny}, make<Cell3, Bin<Cell3>, 1>},
-    {{"grid, half bins", true, kAny}, make<Cell3, Bin<Cell3>, 2>},
-    {{"grid, hashed", true, kAny}, make<Cell3, Hash<Cell3>>},
-    {{"brute force", true, kSlow}, make<Cell3, Brute<Cell3>>},
-};
+template <class CellT>
+std::vector<Choice<CellT>> choices() {
+  return {
+      {{"grid", true, kAny}, make<CellT, Bin<CellT>, 1>},
+      {{"grid, half bins", true, kAny}, make<CellT, Bin<CellT>, 2>},
+      {{"grid, hashed", true, kAny}, make<CellT, Hash<CellT>>},
+      {{"ngrid, bitonic", true, kAny}, make<CellT, Rows<CellT>, Upkeep::bitonic>},
+      {{"ngrid, full sort", true, kAny}, make<CellT, Rows<CellT>, Upkeep::full>},
+      {{"ngrid, packed", true, kAny}, make<CellT, Rows<CellT>, Upkeep::packed>},
+      {{"ngrid, frozen rows", true, kAny}, make<CellT, Rows<CellT>, Upkeep::frozen>},
+      {{"thesis: fixed 4, bitonic", false, kAny}, make<CellT, Window<CellT, FixedGather>, false>},
+      {{"thesis: fixed 4, odd-even", false, kAny}, make<CellT, Window<CellT, FixedGather>, true>},
+      {{"thesis: adaptive, bitonic", false, kAny}, make<CellT, Window<CellT, AdaptiveGather>, false>},
+      {{"thesis: adaptive, odd-even", false, kAny}, make<CellT, Window<CellT, AdaptiveGather>, true>},
+      {{"brute force", true, kSlow}, make<CellT, Brute<CellT>>},
+  };
+}
+const std::vector<Choice<Cell>> kWays2 = choices<Cell>();
+const std::vector<Choice<Cell3>> kWays3 = choices<Cell3>();
 
 template <class CellT>
 std::vector<Way> waysOf(const std::vector<Choice<CellT>>& choices) {

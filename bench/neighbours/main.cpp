@@ -4,13 +4,14 @@
 //   all.csv
 //
 // One run: in each frame all ways are handed the same places and take turns, so that drift of the machine meets all
-// alike. Figures are medians over the frames, in milliseconds that passed. What is missed is counted against the first
+// alike. Figures are typical milliseconds that passed: see typical(). What is missed is counted against the first
 // exact way; a run fails when two exact ways disagree about anybody.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <numeric>
 #include <sstream>
 
 #include "bench/machine.h"
@@ -54,6 +55,19 @@ std::unique_ptr<Contender<Cell>> make(const Cell*, size_t way, const ExecOptions
 }
 std::unique_ptr<Contender<Cell3>> make(const Cell3*, size_t way, const ExecOptions& o, const Place& p, uint32_t n) {
   return cpu::makeContender3(way, o, p, n);
+}
+
+// The median, over ten stretches of frames, of the mean of a stretch: a median of frames would leave out what is done
+// in every third frame only.
+double typical(const std::vector<double>& frames_ms) {
+  const size_t stretches = std::min<size_t>(10, frames_ms.size());
+  std::vector<double> means;
+  for (size_t s = 0; s < stretches; ++s) {
+    const auto begin = frames_ms.begin() + std::ptrdiff_t(s * frames_ms.size() / stretches);
+    const auto end = frames_ms.begin() + std::ptrdiff_t((s + 1) * frames_ms.size() / stretches);
+    means.push_back(std::accumulate(begin, end, 0.0) / double(end - begin));
+  }
+  return median(means);
 }
 
 template <class CellT>
@@ -120,10 +134,10 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
     const std::vector<uint32_t> truth = entrants[0].contender->counts();
     for (Entrant<CellT>& e : entrants) compare(e, truth);
   }
-  const double best = median(entrants[0].total_ms);
+  const double best = typical(entrants[0].total_ms);
   for (Entrant<CellT>& e : entrants) {
     rows.push_back({dimensions, n, kDistributions[int(distribution)], motion, e.way.name, crowd.neighbours, e.build_ms,
-                    median(e.maintain_ms), median(e.gather_ms), median(e.total_ms), best,
+                    typical(e.maintain_ms), typical(e.gather_ms), typical(e.total_ms), best,
                     double(e.contender->candidates()) / double(n),
                     e.found + e.missed ? double(e.found) / double(e.found + e.missed) : 1.0, e.missed,
                     e.contender->bytes()});

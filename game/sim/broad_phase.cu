@@ -10,6 +10,18 @@ namespace {
 // Of both uniform grids: every type sees as far as this, and it is what most searches ask for.
 constexpr float kBinSize_m = 4.0f;
 
+// The number of cells is the game's capacity, a rule: replays depend on it, so this stays as it is whatever
+// chooseDimensions() learns. Whole rows, about 24 times as long as columns.
+NDimensions dimensionsForRows(uint32_t n) {
+  uint32_t columns = 16;
+  while (uint64_t(columns) * columns < 24ull * n && columns + 32 <= kLongestLine) columns += 32;
+  return {columns, (n + columns - 1) / columns};
+}
+
+Kept keptBy(Sort sort) {
+  return sort == Sort::full || sort == Sort::frozen ? Kept::packed : Kept::inPlace;
+}
+
 const SimulationConfig& checked(const SimulationConfig& config) {
   if (config.gather == Gather::exact && config.sort == Sort::oddEven) {
     throw std::invalid_argument("An exact gather needs rows in order, which odd-even transposition does not keep.");
@@ -27,8 +39,8 @@ const SimulationConfig& checked(const SimulationConfig& config) {
 
 NDimensions dimensionsOf(const SimulationConfig& config) {
   const uint32_t n = config.enemies + kShotCapacity + kBitCapacity;
-  if (!isArrangementState(config.gather)) return chooseDimensions(n);
-  return chooseWindowDimensions(n, config.rules.world.width_m / config.rules.world.height_m);
+  if (!isArrangementState(config.gather)) return dimensionsForRows(n);
+  return chooseWindowDimensions(n, {config.rules.world.width_m, config.rules.world.height_m, 0.0f});
 }
 
 std::vector<uint32_t> startArrangement(NDimensions dimensions) {
@@ -48,7 +60,7 @@ Neighbourhood::Neighbourhood(Queue& queue, const SimulationConfig& config, float
       sort_(config.sort),
       dimensions_(dimensionsOf(config)) {
   const uint32_t n = dimensions_.cells();
-  if (broadPhase_ == BroadPhase::ngrid) ngrid_ = NGrid(queue, dimensions_);
+  if (broadPhase_ == BroadPhase::ngrid) ngrid_ = NGrid<Cell>(queue, dimensions_, keptBy(sort_));
   if (broadPhase_ == BroadPhase::grid) {
     grid_ = UniformGrid<Cell>(queue, n, binsOver(Float2{0.0f, 0.0f}, Float2{width_m, height_m}, kBinSize_m, n));
   }
@@ -84,9 +96,9 @@ void Neighbourhood::maintainNGrid(Queue& queue, Cell* d_cells, uint32_t* d_cellO
     case Sort::oddEven:
       return ngrid_.transpose(queue, d_cells, d_cellOf, d_hold);
     case Sort::full:
-      return ngrid_.rebuild(queue, d_cells, d_cellOf);
+      return ngrid_.pack(queue, d_cells, d_cellOf);
     case Sort::frozen:
-      return sortInFull_ ? ngrid_.rebuild(queue, d_cells, d_cellOf) : ngrid_.refresh(queue, d_cells, d_cellOf);
+      return sortInFull_ ? ngrid_.pack(queue, d_cells, d_cellOf) : ngrid_.refresh(queue, d_cells, d_cellOf);
   }
 }
 

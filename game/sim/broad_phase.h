@@ -24,7 +24,7 @@ struct Searches {
   uint32_t capacity;
   BroadPhase broadPhase;
   Gather gather;
-  NGridView ngrid;
+  NGridView<Cell> ngrid;
   GridGather<Cell> grid;
   HashedGather<Cell> hashed;
 };
@@ -97,7 +97,7 @@ class Neighbourhood {
   Sort sort_{};
   bool sortInFull_ = false;
   NDimensions dimensions_;
-  NGrid ngrid_;
+  NGrid<Cell> ngrid_;
   UniformGrid<Cell> grid_;
   HashedGrid<Cell> hashed_;
 };

@@ -77,7 +77,7 @@ struct Report {
     report.clock_ticks = m.clock_ticks;
     report.wave = m.wave + m.endless;
     report.pace = m.pace;
-    report.rowsWidened = v.near.ngrid.heights ? v.near.ngrid.widened() : 0.0f;
+    report.rowsWidened = v.near.ngrid.totals ? v.near.ngrid.widened() : 0.0f;
     for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) {
       report.enemies += m.totals.occupied[t];
       report.killsByType[t] = m.killsByType[t];

@@ -1,0 +1,153 @@
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "gpu/bits.h"
+#include "gpu/neighbour.h"
+#include "gpu/ngrid.h"
+#include "gpu/ngrid_dimensions.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+// Fitted: meeting one more row costs a search as much as this many more tests (docs/ngrid-performance.md).
+const double kRowCost = getenv("ROWCOST") ? atof(getenv("ROWCOST")) : 25.0;
+
+uint32_t divideUp(uint32_t n, uint32_t by) {
+  return n / by + (n % by ? 1 : 0);
+}
+
+bool isLength(float length) {
+  return length > 0.0f && std::isfinite(length);
+}
+
+// Returns how many axes the box has.
+int checkedAxes(uint32_t n, Float3 size) {
+  if (n == 0) throw std::invalid_argument("An NGrid of 0 cells was asked for; n is at least 1.");
+  if (!isLength(size.x) || !isLength(size.y) || !(size.z == 0.0f || isLength(size.z))) {
+    throw std::invalid_argument("The box of an NGrid has a finite size above 0 m along x and y (0 along z: in 2D).");
+  }
+  return size.z > 0.0f ? 3 : 2;
+}
+
+[[noreturn]] void refuse(uint32_t n, uint64_t most) {
+  throw std::invalid_argument("An NGrid of " + std::to_string(n) + " cells is too large: at most " +
+                              std::to_string(most) + " fit; use fewer entities.");
+}
+
+// What a search of `radius` is expected to cost in this box, in tests.
+double expectedCost(NDimensions d, Float3 size, float radius) {
+  const auto met = [&](float along, uint32_t lines) {
+    return std::fmin(2.0 * double(radius) * lines / double(along) + 1.0, double(lines));
+  };
+  const double rows = met(size.y, d.rows) * (size.z > 0.0f ? met(size.z, d.slabs) : 1.0);
+  return rows * (kRowCost + std::fmin(2.0 * double(radius) / double(size.x), 1.0) * d.columns);
+}
+
+}  // namespace
+
+bool Steps::differBy(float share) const {
+  float least = kInfinity, most = 0.0f;
+  for (float step : along) {
+    if (step <= 0.0f) continue;
+    least = smaller(least, step);
+    most = larger(most, step);
+  }
+  return most - least > share * most;
+}
+
+NDimensions chooseDimensions(uint32_t n, Float3 size, float radius) {
+  const int axes = checkedAxes(n, size);
+  if (!isLength(radius)) throw std::invalid_argument("A radius to choose dimensions for is finite and above 0 m.");
+  constexpr uint64_t kMostColumns = kLongestLine - 16;
+  const uint64_t most = axes == 3 ? (1ull << 31) - 1 : kMostColumns * kLongestLine;
+  if (n > most) refuse(n, most);
+  NDimensions best{};
+  double least = HUGE_VAL;
+  const uint32_t mostSlabs = axes == 3 ? smaller(kLongestLine, n) : 1;
+  for (uint32_t slabs = 1; slabs <= mostSlabs; slabs += 1 + slabs / 16) {
+    // Odd multiples of 16 cells: a stride that is a power of two would put a whole column into one cache set.
+    for (uint32_t columns = 16; columns <= kMostColumns; columns += 32) {
+      const NDimensions d{columns, divideUp(divideUp(n, slabs), columns), slabs};
+      if (d.rows > kLongestLine || uint64_t(columns) * d.rows * slabs >= 1ull << 31) continue;
+      const double cost = expectedCost(d, size, radius);
+      if (cost < least) {
+        least = cost;
+        best = d;
+      }
+    }
+  }
+  if (best.columns == 0) refuse(n, most);
+  return best;
+}
+
+NDimensions chooseWindowDimensions(uint32_t n, Float3 size) {
+  const int axes = checkedAxes(n, size);
+  const double x = size.x, y = size.y, z = size.z;
+  const auto fitting = [](double wanted, uint32_t rest) {  // so many along an axis, and no fewer than the rest demands
+    const uint32_t count = wanted < 1.0 ? 1 : wanted > kLongestLine ? kLongestLine : uint32_t(wanted);
+    return larger(count, rest);
+  };
+  if (axes == 2) {
+    const uint32_t columns = fitting(std::sqrt(double(n) * (x / y)) + 0.5, divideUp(n, kLongestLine));
+    if (columns > kLongestLine) refuse(n, uint64_t(kLongestLine) * kLongestLine);
+    return {columns, divideUp(n, columns)};
+  }
+  const double apart = std::cbrt(x * y * z / double(n));
+  const uint32_t columns = fitting(x / apart + 0.5, divideUp(n, kLongestLine * kLongestLine));
+  const uint32_t rows = fitting(y / apart + 0.5, divideUp(divideUp(n, columns), kLongestLine));
+  const NDimensions found{columns, rows, divideUp(divideUp(n, columns), rows)};
+  if (uint64_t(found.columns) * found.rows * found.slabs >= 1ull << 31) refuse(n, (1ull << 31) - 1);
+  return found;
+}
+
+NDimensions balancedDimensions(uint32_t n, NDimensions now, const Steps& steps) {
+  const uint32_t cells[3] = {now.columns, now.rows, now.slabs};
+  float size[3];
+  float longest = 0.0f;
+  for (int axis = 0; axis < 3; ++axis) {
+    size[axis] = steps.along[axis] * float(int32_t(cells[axis]));
+    longest = larger(longest, size[axis]);
+  }
+  if (!(longest > 0.0f)) return now;  // all in one place, or one alone
+  const bool flat = now.slabs == 1 && steps.along[2] == 0.0f;
+  // An axis along which nothing differs is as good as a very short one.
+  for (float& length : size) length = larger(length, longest * 1e-6f);
+  return chooseWindowDimensions(n, {size[0], size[1], flat ? 0.0f : size[2]});
+}
+
+template <class CellT>
+NDimensions findDimensions(Queue& queue, const CellT* h_cells, uint32_t n) {
+  if (!h_cells) throw std::invalid_argument("h_cells is null; give the entities to find dimensions for.");
+  NDimensions now = chooseWindowDimensions(n, {1.0f, 1.0f, kFlat<CellT> ? 0.0f : 1.0f}), best = now;
+  const std::vector<CellT> entities(h_cells, h_cells + n);
+  float least = kInfinity;
+  constexpr uint32_t kTries = 16;
+  for (uint32_t tried = 0; tried < kTries; ++tried) {
+    NGrid<CellT> grid(queue, now);
+    Buffer<CellT> cells(queue, now.cells());
+    Buffer<uint32_t> cellOf(queue, now.cells());
+    cells.upload(padded(entities, now));
+    grid.settle(queue, cells.data(), cellOf.data());
+    const Steps steps = grid.steps(queue, cells.data());
+    float shortest = kInfinity, longest = 0.0f;
+    for (float step : steps.along) {
+      if (step > 0.0f) shortest = smaller(shortest, step);
+      longest = larger(longest, step);
+    }
+    if (longest / shortest < least) {
+      least = longest / shortest;
+      best = now;
+    }
+    const NDimensions next = balancedDimensions(n, now, steps);
+    if (!steps.differBy(kStepsMayDiffer) || next == now) break;
+    now = next;
+  }
+  return best;
+}
+
+template NDimensions findDimensions(Queue&, const Cell*, uint32_t);
+template NDimensions findDimensions(Queue&, const Cell3*, uint32_t);
+
+}  // namespace gw::GW_DEVICE
