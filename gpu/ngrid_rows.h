@@ -40,9 +40,13 @@ struct LivingBox {
     moved += other.moved;
   }
 
+  // Which of two zeros is the lower one depends on who came first: + 0.0f makes both +0.
+  GW_BODY static Interval settled(Interval along) { return {along.low + 0.0f, along.high + 0.0f}; }
+
   GW_BODY GridRow row(uint32_t parts) const {
-    const float left = living ? x.low : 0.0f, width = living ? x.high - left : 0.0f;
-    return {y.low, y.high, left, width > 0.0f ? float(int32_t(parts)) / width : 0.0f};
+    const float left = living ? x.low + 0.0f : 0.0f, width = living ? x.high - left : 0.0f;
+    const Interval height = settled(y);
+    return {height.low, height.high, left, width > 0.0f ? float(int32_t(parts)) / width : 0.0f};
   }
 };
 
@@ -58,7 +62,7 @@ GW_BODY void joinBoxes(const Team& team, LivingBox* boxes) {
 
 GW_BODY inline void writeRow(const RowsFound& found, uint32_t line, const LivingBox& box) {
   found.line[line] = box.row(found.parts);
-  if (found.depth) found.depth[line] = box.z;
+  if (found.depth) found.depth[line] = LivingBox::settled(box.z);
   found.living[line] = box.living;
   found.moved[line] = box.moved;
 }

@@ -39,9 +39,9 @@ std::string checkGather(GridShape shape, const std::vector<Cell>& cells, const s
   return judge(cpu::probes().gather(options, shape, cells, queries, method), cells, queries);
 }
 
-std::string checkGather3(const std::vector<Cell3>& cells, const std::vector<Query3>& queries, Method method,
-                         const ExecOptions& options) {
-  return judge(cpu::probes().gather3(options, cells, queries, method), cells, queries);
+std::string checkGather(GridShape shape, const std::vector<Cell3>& cells, const std::vector<Query3>& queries,
+                        Method method, const ExecOptions& options) {
+  return judge(cpu::probes().gather3(options, shape, cells, queries, method), cells, queries);
 }
 
 }  // namespace gw::test

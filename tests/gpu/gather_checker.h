@@ -12,7 +12,7 @@ std::string checkGather(GridShape shape, const std::vector<Cell>& cells, const s
                         Method method, const ExecOptions& options = {1});
 
 // The same in three dimensions.
-std::string checkGather3(const std::vector<Cell3>& cells, const std::vector<Query3>& queries, Method method,
-                         const ExecOptions& options = {1});
+std::string checkGather(GridShape shape, const std::vector<Cell3>& cells, const std::vector<Query3>& queries,
+                        Method method, const ExecOptions& options = {1});
 
 }  // namespace gw::test

@@ -1,4 +1,4 @@
-// Sorting one line: the unique order by one axis, then the other, then the id.
+// Sorting one line: the unique order by one axis, then the others, then the id.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "tests/gpu/random_cells.h"
 #include "tests/naive/gpu_oracles.h"
+#include "tests/naive/ngrid_oracles.h"
 
 namespace gw::test {
 namespace {
@@ -23,8 +24,8 @@ bool sameCells(const std::vector<Cell>& a, const std::vector<Cell>& b) {
 
 void expectSorted(std::vector<Cell> line) {
   auto byX = line, byY = line;
-  naive::sortByX(byX);
-  naive::sortByY(byY);
+  naive::sortAlong(byX, 0);
+  naive::sortAlong(byY, 1);
   EXPECT_TRUE(sameCells(kDevice.sortLineByX({1}, line), byX));
   EXPECT_TRUE(sameCells(kDevice.sortLineByY({1}, line), byY));
 }
@@ -40,13 +41,22 @@ TEST(LineSort, SortsEveryLengthAndLayout) {
 
 TEST(LineSort, SortsWhatIsNearlySortedAndWhatIsBackwards) {
   auto line = makeCells({Layout::uniform, {2000, 1}, 5, 4});
-  naive::sortByX(line);
+  naive::sortAlong(line, 0);
   moveCells(line, 0.2f, 5);
   expectSorted(line);
-  naive::sortByX(line);
+  naive::sortAlong(line, 0);
   expectSorted(line);
   std::reverse(line.begin(), line.end());
   expectSorted(line);
+}
+
+TEST(LineSort, SortsPolesByZThenYThenX) {
+  for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+    auto expected = makeCells3({Layout(layout), {300, 1}, 15, layout});
+    const auto sorted = kDevice.sortLineByZ({1}, expected);
+    naive::sortAlong(expected, 2);
+    for (size_t i = 0; i < expected.size(); ++i) ASSERT_EQ(sorted[i].id, expected[i].id) << layout;
+  }
 }
 
 TEST(LineSort, GroupsTheDeadAtTheEndById) {
@@ -67,7 +77,7 @@ RC_GTEST_PROP(LineSort, IsThatOfTheStandardLibraryForAnything, ()) {
                       *rc::gen::arbitrary<uint64_t>()};
   auto expected = makeCells(spec);
   const auto sorted = kDevice.sortLineByX({1}, expected);
-  naive::sortByX(expected);
+  naive::sortAlong(expected, 0);
   RC_ASSERT(sameCells(sorted, expected));
 }
 

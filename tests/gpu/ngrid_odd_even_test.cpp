@@ -3,44 +3,49 @@
 #include <rapidcheck/gtest.h>
 
 #include "gpu/ngrid.h"
-#include "tests/gpu/random_cells.h"
-#include "tests/naive/gpu_oracles.h"
+#include "tests/gpu/both_dimensions.h"
+#include "tests/naive/ngrid_oracles.h"
 
 namespace gw::test {
 namespace {
 
 const Probes kDevice = cpu::probes();
 
-std::vector<uint32_t> idsOf(const std::vector<Cell>& cells) {
+template <class CellT>
+std::vector<uint32_t> idsOf(const std::vector<CellT>& cells) {
   std::vector<uint32_t> ids;
-  for (const Cell& cell : cells) ids.push_back(cell.id);
+  for (const CellT& cell : cells) ids.push_back(cell.id);
   return ids;
 }
 
-GridState transposed(GridShape shape, const std::vector<Cell>& cells) {
-  return kDevice.upkeep({2}, shape, cells, Upkeep::transpose);
+template <class CellT>
+GridStateOf<CellT> transposed(GridShape shape, const std::vector<CellT>& cells) {
+  return In<CellT>::upkeep(kDevice)({2}, shape, cells, Upkeep::transpose);
 }
 
-constexpr GridShape kShapes[] = {{1, 1}, {1, 2},   {2, 1},   {1, 9},   {9, 1},    {2, 2},
-                                 {3, 2}, {16, 16}, {48, 13}, {7, 200}, {2048, 2}, {2, 2048}};
+template <class CellT>
+class OddEvenOf : public testing::Test {
+ public:
+  static std::vector<GridShape> shapes() {
+    if (In<CellT>::flat) {
+      return {{1, 1}, {1, 2},   {2, 1},   {1, 9},   {9, 1},    {2, 2},
+              {3, 2}, {16, 16}, {48, 13}, {7, 200}, {2048, 2}, {2, 2048}};
+    }
+    return {{1, 1, 1}, {1, 1, 2}, {1, 1, 9}, {2, 2, 2}, {3, 2, 5}, {9, 8, 7}, {2, 300, 3}, {3, 2, 300}, {300, 1, 2}};
+  }
+};
+TYPED_TEST_SUITE(OddEvenOf, Dimensions);
 
-TEST(OddEven, MakesThePassesOfItsOracle) {
+TYPED_TEST(OddEvenOf, MakesThePassesOfItsOracle) {
   uint64_t seed = 1;
-  for (const GridShape& shape : kShapes) {
+  for (const GridShape& shape : this->shapes()) {
     for (uint32_t layout = 0; layout < kLayouts; ++layout) {
       for (const uint32_t dead : {0u, 30u, 100u}) {
         const CellSpec spec{Layout(layout), shape, dead, ++seed};
-        auto cells = makeCells(spec);
+        auto cells = In<TypeParam>::cells(spec);
         for (int tick = 0; tick < 3; ++tick) {
-          const auto expected = naive::transpose(shape, cells);
-          const GridState state = transposed(shape, cells);
-          ASSERT_EQ(idsOf(state.cells), idsOf(expected)) << spec;
-          for (uint32_t i = 0; i < shape.cells(); ++i) {
-            ASSERT_EQ(state.cellOf[state.cells[i].id], i) << spec;
-            ASSERT_TRUE(state.cells[i].x == expected[i].x && state.cells[i].y == expected[i].y &&
-                        state.cells[i].type == expected[i].type)
-                << spec;
-          }
+          const auto state = transposed(shape, cells);
+          ASSERT_EQ(naive::difference(naive::upkeep(shape, cells, Upkeep::transpose), state), "") << spec;
           cells = state.cells;
         }
       }
@@ -54,7 +59,7 @@ uint64_t inversions(const std::vector<Cell>& line, bool byX) {
   for (size_t i = 0; i < line.size(); ++i) {
     for (size_t j = i + 1; j < line.size(); ++j) {
       std::vector<Cell> pair{line[i], line[j]};
-      byX ? naive::sortByX(pair) : naive::sortByY(pair);
+      naive::sortAlong(pair, byX ? 0 : 1);
       count += pair[0].id != line[i].id;
     }
   }
@@ -76,7 +81,28 @@ RC_GTEST_PROP(OddEven, NeverDisordersALineAndPutsItInOrder, ()) {
     before = after;
     ++calls;
   }
-  RC_ASSERT(calls <= n / 2 + 1);  // n passes sort n numbers, and a call makes two
+  RC_ASSERT(calls <= (n + 1) / 2);  // n passes sort n numbers, and a call makes two
+}
+
+// The longest way: the first is to be the last.
+TEST(OddEven, PutsALineInOrderInAsManyPassesAsItHasCells) {
+  for (const uint32_t n : {2u, 3u, 16u, 33u, 500u}) {
+    for (const int axis : {0, 1, 2}) {
+      const GridShape shape = axis == 0 ? GridShape{n, 1, 1} : axis == 1 ? GridShape{1, n, 1} : GridShape{1, 1, n};
+      std::vector<Cell3> line;
+      for (uint32_t i = 0; i < n; ++i) {
+        const float place = float(n - i);
+        line.push_back({axis == 0 ? place : 0.0f, axis == 1 ? place : 0.0f, axis == 2 ? place : 0.0f, i});
+      }
+      uint32_t calls = 0;
+      while (naive::misaligned(shape, line) > 0 && calls <= n) {
+        line = transposed(shape, line).cells;
+        ++calls;
+      }
+      EXPECT_LE(calls, (n + 1) / 2) << n << " along axis " << axis;
+      EXPECT_GE(calls, n / 2) << "this line is not the longest way";
+    }
+  }
 }
 
 // Every exchange raises the sum of column times x plus row times y: so lines never lose on both axes together
@@ -113,7 +139,7 @@ TEST(OddEven, IsLeftAloneWhileOnHoldAsIsTheFullUpkeep) {
   const auto cells = makeCells({Layout::uniform, shape, 20, 5});
   for (const bool full : {false, true}) {
     cpu::Queue queue({2});
-    cpu::NGrid grid(queue, {shape.columns, shape.rows});
+    cpu::NGrid<Cell> grid(queue, {shape.columns, shape.rows});
     cpu::Buffer<Cell> held(queue, shape.cells());
     cpu::Buffer<uint32_t> cellOf(queue, shape.cells()), hold(queue, 1);
     held.upload(cells);

@@ -1,6 +1,7 @@
 #include "tests/gpu/parity_cases.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "tests/gpu/random_cells.h"
@@ -20,15 +21,15 @@ void append(Words& words, const std::vector<T>& values) {
   }
 }
 
-Words wordsOf(const GridState& state) {
+template <class CellT>
+Words wordsOf(const GridStateOf<CellT>& state) {
   Words words;
   append(words, state.cells);
-  append(words, state.cellOf);
-  append(words, state.living);
-  append(words, state.low);
-  append(words, state.high);
-  append(words, state.reachHigh);
-  append(words, state.reachLow);
+  for (const auto& column : {state.cellOf, state.living, state.starts, {state.moved}}) append(words, column);
+  for (const auto& column : {state.low, state.high, state.reachHigh, state.reachLow, state.near, state.far,
+                             state.slabReachHigh, state.slabReachLow}) {
+    append(words, column);
+  }
   return words;
 }
 
@@ -84,6 +85,34 @@ Words lineSorts(const Probes& device, const ExecOptions& options) {
 
 constexpr GridShape kShapes[] = {{1, 1}, {1, 37}, {37, 1}, {16, 16}, {48, 13}, {208, 41}, {2048, 3}, {5, 2048}};
 
+Words upkeepOf3(const Probes& device, const ExecOptions& options, Upkeep upkeep) {
+  Words words;
+  uint64_t seed = 1;
+  for (const GridShape& shape : {GridShape{1, 1, 1}, {1, 1, 37}, {37, 5, 3}, {16, 16, 16}, {2048, 2, 2}, {3, 3, 700}}) {
+    for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+      const auto cells = makeCells3({Layout(layout), shape, 10, ++seed});
+      const Words after = wordsOf(device.upkeep3(options, shape, cells, upkeep));
+      words.insert(words.end(), after.begin(), after.end());
+    }
+  }
+  return words;
+}
+
+Words reports(const Probes& device, const ExecOptions& options) {
+  Words words;
+  const auto take = [&](const GridReport& r) {
+    append(words, std::vector<uint32_t>{r.misaligned, r.moved, r.rounds});
+    for (float step : r.steps) words.push_back(std::bit_cast<uint32_t>(step));
+  };
+  for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+    for (Upkeep upkeep : {Upkeep::maintain, Upkeep::transpose, Upkeep::pack, Upkeep::settle}) {
+      take(device.report(options, {61, 33}, makeCells({Layout(layout), {61, 33}, 15, layout}), upkeep));
+      take(device.report3(options, {17, 9, 8}, makeCells3({Layout(layout), {17, 9, 8}, 15, layout}), upkeep));
+    }
+  }
+  return words;
+}
+
 Words upkeepOf(const Probes& device, const ExecOptions& options, Upkeep upkeep) {
   Words words;
   uint64_t seed = 1;
@@ -117,8 +146,9 @@ Words gathers(const Probes& device, const ExecOptions& options, Method method) {
 Words gathers3(const Probes& device, const ExecOptions& options, Method method) {
   Words words;
   for (uint64_t layout = 0; layout < kLayouts; ++layout) {
-    const auto cells = makeCells3({Layout(layout), {67, 23}, 15, layout + 300});
-    const Gathered gathered = device.gather3(options, cells, makeQueries3(cells, 200, layout + 400), method);
+    const GridShape shape{23, 11, 6};
+    const auto cells = makeCells3({Layout(layout), shape, 15, layout + 300});
+    const Gathered gathered = device.gather3(options, shape, cells, makeQueries3(cells, 200, layout + 400), method);
     append(words, gathered.found);
     append(words, gathered.visits);
     append(words, gathered.tested);
@@ -145,10 +175,13 @@ Words gathersAround(const Probes& device, const ExecOptions& options, Around met
   for (uint32_t layout = 0; layout < kLayouts; ++layout) {
     const CellSpec spec{Layout(layout), {37, 22}, 15, ++seed};
     for (const float radius : {0.3f, 5.0f, 1e30f}) {
-      const Gathered gathered = device.gatherAround(options, spec.shape, makeCells(spec), radius, method);
-      append(words, gathered.found);
-      append(words, gathered.visits);
-      append(words, gathered.tested);
+      const CellSpec deep{Layout(layout), {13, 9, 7}, 15, seed};
+      for (const Gathered& gathered : {device.gatherAround(options, spec.shape, makeCells(spec), radius, method),
+                                       device.gatherAround3(options, deep.shape, makeCells3(deep), radius, method)}) {
+        append(words, gathered.found);
+        append(words, gathered.visits);
+        append(words, gathered.tested);
+      }
     }
   }
   return words;
@@ -235,7 +268,21 @@ std::vector<ParityCase> makeCases() {
   add("Maintain", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::maintain); });
   add("Rebuild", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::rebuild); });
   add("Refresh", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::refresh); });
+  add("Pack", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::pack); });
+  add("Repack", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::repack); });
+  add("Maintain3", [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::maintain); });
+  add("Rebuild3", [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::rebuild); });
+  add("Refresh3", [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::refresh); });
+  add("Transpose3",
+      [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::transpose); });
+  add("Pack3", [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::pack); });
+  add("Repack3", [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::repack); });
+  add("Reports", reports);
   add("RowGather", [](const Probes& device, Options options) { return gathers(device, options, Method::rows); });
+  add("PackedRows", [](const Probes& device, Options options) { return gathers(device, options, Method::packedRows); });
+  add("RowGather3", [](const Probes& device, Options options) { return gathers3(device, options, Method::rows); });
+  add("PackedRows3",
+      [](const Probes& device, Options options) { return gathers3(device, options, Method::packedRows); });
   add("BruteForce", [](const Probes& device, Options options) { return gathers(device, options, Method::bruteForce); });
   add("UniformGrid", [](const Probes& device, Options options) { return gathers(device, options, Method::grid); });
   add("HashedGrid", [](const Probes& device, Options options) { return gathers(device, options, Method::hashedGrid); });
@@ -248,6 +295,8 @@ std::vector<ParityCase> makeCases() {
   add("Settle", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::settle); });
   add("AroundByRows",
       [](const Probes& device, Options options) { return gathersAround(device, options, Around::rows); });
+  add("AroundByPackedRows",
+      [](const Probes& device, Options options) { return gathersAround(device, options, Around::packedRows); });
   add("AroundByBruteForce",
       [](const Probes& device, Options options) { return gathersAround(device, options, Around::bruteForce); });
   add("FixedGather",

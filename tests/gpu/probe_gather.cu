@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "gpu/brute_force.h"
 #include "gpu/hashed_grid.h"
 #include "gpu/row_gather.h"
@@ -74,7 +76,7 @@ struct Searched {
   Queue& queue;
   Buffer<CellT> cells;
   Buffer<uint32_t> cellOf;
-  NGrid rows;
+  NGrid<CellT> rows;
   UniformGrid<CellT> bins;
   HashedGrid<CellT> hashed;
   uint32_t count;
@@ -86,16 +88,27 @@ struct Searched {
     cellOf.upload(own);
   }
 
-  NGridView maintainRows(test::GridShape shape) {
-    rows = NGrid(queue, {shape.columns, shape.rows});
+  NGridView<CellT> inRows(test::GridShape shape, Kept kept, bool built) {
+    rows = NGrid<CellT>(queue, {shape.columns, shape.rows, shape.slabs}, kept);
+    if (built) rows.rebuild(queue, cells.data(), cellOf.data());
+    return rows.view(cells.data());
+  }
+  NGridView<CellT> maintainRows(test::GridShape shape) {
+    const auto view = inRows(shape, Kept::inPlace, false);
     rows.maintain(queue, cells.data(), cellOf.data());
-    return rows.view(cells.data());
+    return view;
   }
-  NGridView refreshRows(test::GridShape shape) {
-    rows = NGrid(queue, {shape.columns, shape.rows});
+  NGridView<CellT> refreshRows(test::GridShape shape) {
+    const auto view = inRows(shape, Kept::packed, false);
     rows.refresh(queue, cells.data(), cellOf.data());
-    return rows.view(cells.data());
+    return view;
   }
+  NGridView<CellT> packRows(test::GridShape shape) {
+    const auto view = inRows(shape, Kept::packed, true);
+    rows.pack(queue, cells.data(), cellOf.data());
+    return view;
+  }
+  NGridView<CellT> buildRows(test::GridShape shape) { return inRows(shape, Kept::inPlace, true); }
   BruteForce<CellT> asTheyAre() { return {cells.data(), count}; }
   GridGather<CellT> inBins() {
     bins = gridFor<CellT>(queue, count);
@@ -124,6 +137,29 @@ struct Asking {
   }
 };
 
+template <class CellT, class Ask>
+void askRightly(Searched<CellT>& searched, Ask& ask, test::GridShape shape, test::Method method) {
+  using test::Method;
+  switch (method) {
+    case Method::rows:
+      return ask(RowGather{searched.maintainRows(shape)});
+    case Method::frozenRows:
+      return ask(RowGather{searched.refreshRows(shape)});
+    case Method::packedRows:
+      return ask(RowGather{searched.packRows(shape)});
+    case Method::builtRows:
+      return ask(RowGather{searched.buildRows(shape)});
+    case Method::bruteForce:
+      return ask(searched.asTheyAre());
+    case Method::grid:
+      return ask(searched.inBins());
+    case Method::hashedGrid:
+      return ask(searched.inBuckets());
+    default:
+      throw std::logic_error("That method has a mistake, and is flat.");
+  }
+}
+
 test::Gathered gather(const ExecOptions& options, test::GridShape shape, const std::vector<Cell>& start,
                       const std::vector<test::Query>& queries, test::Method method) {
   Queue queue(options);
@@ -132,21 +168,6 @@ test::Gathered gather(const ExecOptions& options, test::GridShape shape, const s
                           searched.cellOf.data()};
   using test::Method;
   switch (method) {
-    case Method::rows:
-      ask(RowGather{searched.maintainRows(shape)});
-      break;
-    case Method::frozenRows:
-      ask(RowGather{searched.refreshRows(shape)});
-      break;
-    case Method::bruteForce:
-      ask(searched.asTheyAre());
-      break;
-    case Method::grid:
-      ask(searched.inBins());
-      break;
-    case Method::hashedGrid:
-      ask(searched.inBuckets());
-      break;
     case Method::noMistake:
       ask(BrokenGather<Method::noMistake>{searched.maintainRows(shape)});
       break;
@@ -162,25 +183,21 @@ test::Gathered gather(const ExecOptions& options, test::GridShape shape, const s
     case Method::trustsRowOrder:
       ask(BrokenGather<Method::trustsRowOrder>{searched.maintainRows(shape)});
       break;
+    default:
+      askRightly(searched, ask, shape, method);
   }
   const test::Gathered result = ask.answers.download();
   countLaunches(method == Method::bruteForce ? 1 : 4);
   return result;
 }
 
-test::Gathered gather3(const ExecOptions& options, const std::vector<Cell3>& start,
+test::Gathered gather3(const ExecOptions& options, test::GridShape shape, const std::vector<Cell3>& start,
                        const std::vector<test::Query3>& queries, test::Method method) {
   Queue queue(options);
   Searched<Cell3> searched(queue, start);
   Asking<test::Query3> ask{queue, uploaded(queue, queries), Answers(queue, uint32_t(queries.size()), searched.count),
                            searched.cellOf.data()};
-  if (method == test::Method::grid) {
-    ask(searched.inBins());
-  } else if (method == test::Method::hashedGrid) {
-    ask(searched.inBuckets());
-  } else {
-    ask(searched.asTheyAre());
-  }
+  askRightly(searched, ask, shape, method);
   const test::Gathered result = ask.answers.download();
   countLaunches(method == test::Method::bruteForce ? 1 : 4);
   return result;
@@ -220,46 +237,50 @@ test::Binned hashCells(const ExecOptions& options, const std::vector<Cell>& star
 }
 
 // One item: one cell that asks.
-template <class Search>
+template <class CellT, class Search>
 struct LookAround {
   uint32_t *found, *visits, *tested;
-  const Cell* cells;
+  const CellT* cells;
   Search search;
   float radius;
   uint32_t wordsPerCell;
 
   GW_BODY void operator()(uint32_t i) const {
-    const Cell self = cells[i];
+    const CellT self = cells[i];
     uint32_t* mine = found + i * wordsPerCell;
     uint32_t count = 0;
     visits[i] = tested[i] = 0;
     if (!isLiving(self.x)) return;
-    const auto visit = [&](const Cell& cell, uint32_t index, Float2 away) {
+    const auto visit = [&](const CellT& cell, uint32_t index, PlaceOf<CellT> away) {
       mine[cell.id / 32] |= 1u << cell.id % 32;
       count += cells[index].id == cell.id && same(away, placeOf(cell) - placeOf(self)) ? 1 : 1000000;
     };
     const uint32_t all = search.around(i, placeOf(self), radius, visit);
     visits[i] = count;
-    const uint32_t later = search.after(i, placeOf(self), radius, [](const Cell&, uint32_t, Float2) {});
+    const uint32_t later = search.after(i, placeOf(self), radius, [](const CellT&, uint32_t, PlaceOf<CellT>) {});
     tested[i] = all + 65536 * later;
   }
 };
 
-test::Gathered gatherAround(const ExecOptions& options, test::GridShape shape, const std::vector<Cell>& start,
+template <class CellT>
+test::Gathered gatherAround(const ExecOptions& options, test::GridShape shape, const std::vector<CellT>& start,
                             float radius, test::Around method) {
   Queue queue(options);
-  Searched<Cell> searched(queue, start);
+  Searched<CellT> searched(queue, start);
   const uint32_t n = shape.cells();
   Answers answers(queue, n, n);
   answers.found.upload(std::vector<uint32_t>(answers.found.size()));
   const auto run = [&](auto search) {
     forEach(queue, Count{n},
-            LookAround<decltype(search)>{answers.found.data(), answers.visits.data(), answers.tested.data(),
-                                         searched.cells.data(), search, radius, answers.words});
+            LookAround<CellT, decltype(search)>{answers.found.data(), answers.visits.data(), answers.tested.data(),
+                                                searched.cells.data(), search, radius, answers.words});
   };
   switch (method) {
     case test::Around::rows:
       run(RowGather{searched.maintainRows(shape)});
+      break;
+    case test::Around::packedRows:
+      run(RowGather{searched.packRows(shape)});
       break;
     case test::Around::bruteForce:
       run(searched.asTheyAre());
@@ -289,7 +310,8 @@ void addGatherProbes(test::Probes& probes) {
   probes.gather3 = gather3;
   probes.binCells = binCells;
   probes.hashCells = hashCells;
-  probes.gatherAround = gatherAround;
+  probes.gatherAround = gatherAround<Cell>;
+  probes.gatherAround3 = gatherAround<Cell3>;
 }
 
 }  // namespace gw::GW_DEVICE

@@ -6,13 +6,13 @@ namespace gw::GW_DEVICE {
 namespace {
 
 // One team in all: sorts one line.
-template <class Less>
+template <class CellT, class Less>
 struct SortOneLine {
   static constexpr uint32_t kLanes = 128;
   struct Shared {
-    Cell line[kLongestLine];
+    CellT line[kLongestLine];
   };
-  Cell* cells;
+  CellT* cells;
   uint32_t length;
 
   template <class Team>
@@ -27,71 +27,150 @@ struct SortOneLine {
   }
 };
 
-template <class Less>
-std::vector<Cell> sortOneLine(const ExecOptions& options, const std::vector<Cell>& line) {
+template <class CellT, class Less>
+std::vector<CellT> sortOneLine(const ExecOptions& options, const std::vector<CellT>& line) {
   Queue queue(options);
   auto cells = uploaded(queue, line);
-  forEachTeam(queue, 1, SortOneLine<Less>{cells.data(), uint32_t(line.size())});
+  forEachTeam(queue, 1, SortOneLine<CellT, Less>{cells.data(), uint32_t(line.size())});
   auto result = cells.download();
   countLaunches(1);
   return result;
 }
 
-// One item: one row, copied to where the host can download it from.
-struct CopyRows {
-  float *low, *high, *reachHigh, *reachLow;
-  uint32_t* living;
-  NGridView grid;
-  GW_BODY void operator()(uint32_t row) const {
-    low[row] = grid.low[row];
-    high[row] = grid.high[row];
-    reachHigh[row] = grid.reachHigh[row];
-    reachLow[row] = grid.reachLow[row];
-    living[row] = grid.living[row];
+// One item: one word or interval, copied to where the host can download it from.
+template <class T>
+struct CopyItems {
+  T* out;
+  const T* in;
+  GW_BODY void operator()(uint32_t i) const { out[i] = in[i]; }
+};
+
+template <class T>
+std::vector<T> downloaded(Queue& queue, const T* d_items, size_t count) {
+  if (!d_items) return {};
+  Buffer<T> copy(queue, count);
+  forEach(queue, Count{uint32_t(count)}, CopyItems<T>{copy.data(), d_items});
+  return copy.download();
+}
+
+// One item: one cell.
+template <class CellT>
+struct Stretch {
+  CellT* cells;
+  GW_BODY static void stretch(float& place) { place *= test::kStretch; }
+  GW_BODY static void stretch(Cell& cell) {
+    stretch(cell.x);
+    stretch(cell.y);
+  }
+  GW_BODY static void stretch(Cell3& cell) {
+    stretch(cell.x);
+    stretch(cell.y);
+    stretch(cell.z);
+  }
+  GW_BODY void operator()(uint32_t i) const { stretch(cells[i]); }
+};
+
+template <class CellT>
+struct KeptGrid {
+  Queue queue;
+  NGrid<CellT> grid;
+  Buffer<CellT> cells;
+  Buffer<uint32_t> cellOf;
+
+  KeptGrid(const ExecOptions& options, test::GridShape shape, const std::vector<CellT>& start, test::Upkeep upkeep)
+      : queue(options),
+        grid(queue, {shape.columns, shape.rows, shape.slabs}, keptBy(upkeep)),
+        cells(uploaded(queue, start)),
+        cellOf(queue, start.size()) {
+    std::vector<uint32_t> own(start.size());
+    for (uint32_t i = 0; i < own.size(); ++i) own[start[i].id] = i;
+    cellOf.upload(own);
+    keep(upkeep);
+  }
+
+  static Kept keptBy(test::Upkeep upkeep) {
+    using test::Upkeep;
+    const bool packed = upkeep == Upkeep::pack || upkeep == Upkeep::repack || upkeep == Upkeep::refresh;
+    return packed ? Kept::packed : Kept::inPlace;
+  }
+
+  void keep(test::Upkeep upkeep) {
+    switch (upkeep) {
+      case test::Upkeep::maintain:
+        return grid.maintain(queue, cells.data(), cellOf.data());
+      case test::Upkeep::rebuild:
+        return grid.rebuild(queue, cells.data(), cellOf.data());
+      case test::Upkeep::refresh:
+        return grid.refresh(queue, cells.data(), cellOf.data());
+      case test::Upkeep::settle:
+        return grid.settle(queue, cells.data(), cellOf.data());
+      case test::Upkeep::transpose:
+        return grid.transpose(queue, cells.data(), cellOf.data());
+      case test::Upkeep::pack:
+      case test::Upkeep::repack:
+        grid.rebuild(queue, cells.data(), cellOf.data());
+        if (upkeep == test::Upkeep::repack) forEach(queue, Count{uint32_t(cells.size())}, Stretch<CellT>{cells.data()});
+        return grid.pack(queue, cells.data(), cellOf.data());
+    }
   }
 };
 
-test::GridState upkeep(const ExecOptions& options, test::GridShape shape, const std::vector<Cell>& start,
-                       test::Upkeep upkeep) {
-  Queue queue(options);
-  NGrid grid(queue, {shape.columns, shape.rows});
-  auto cells = uploaded(queue, start);
-  Buffer<uint32_t> cellOf(queue, start.size()), living(queue, shape.rows);
-  cellOf.upload(std::vector<uint32_t>(start.size(), 0xFFFFFFFFu));
-  Buffer<float> low(queue, shape.rows), high(queue, shape.rows), reachHigh(queue, shape.rows),
-      reachLow(queue, shape.rows);
-  switch (upkeep) {
-    case test::Upkeep::maintain:
-      grid.maintain(queue, cells.data(), cellOf.data());
-      break;
-    case test::Upkeep::rebuild:
-      grid.rebuild(queue, cells.data(), cellOf.data());
-      break;
-    case test::Upkeep::refresh:
-      grid.refresh(queue, cells.data(), cellOf.data());
-      break;
-    case test::Upkeep::settle:
-      grid.settle(queue, cells.data(), cellOf.data());
-      break;
-    case test::Upkeep::transpose:
-      grid.transpose(queue, cells.data(), cellOf.data());
-      countLaunches(5);
-      return {cells.download(), cellOf.download(), {}, {}, {}, {}, {}};
+template <class CellT>
+test::GridStateOf<CellT> upkeep(const ExecOptions& options, test::GridShape shape, const std::vector<CellT>& start,
+                                test::Upkeep upkeep) {
+  KeptGrid<CellT> kept(options, shape, start, upkeep);
+  Queue& queue = kept.queue;
+  const NGridView<CellT> view = kept.grid.view(kept.cells.data());
+  test::GridStateOf<CellT> state;
+  state.cells = kept.cells.download();
+  state.cellOf = kept.cellOf.download();
+  state.moved = downloaded(queue, view.totals, 1)[0].moved;
+  countLaunches(4);
+  if (upkeep == test::Upkeep::transpose) return state;
+  const uint32_t lines = shape.lines();
+  state.living = downloaded(queue, view.living, lines);
+  for (const GridRow& row : downloaded(queue, view.line, lines)) {
+    state.low.push_back(row.low);
+    state.high.push_back(row.high);
   }
-  forEach(queue, Count{shape.rows},
-          CopyRows{low.data(), high.data(), reachHigh.data(), reachLow.data(), living.data(), grid.view(cells.data())});
-  test::GridState state{cells.download(), cellOf.download(),    living.download(),  low.download(),
-                        high.download(),  reachHigh.download(), reachLow.download()};
-  countLaunches(upkeep == test::Upkeep::refresh ? 3 : upkeep == test::Upkeep::maintain ? 4 : 7);
+  for (const Interval& reach : downloaded(queue, view.reach, lines)) {
+    state.reachLow.push_back(reach.low);
+    state.reachHigh.push_back(reach.high);
+  }
+  for (const Interval& z : downloaded(queue, view.depth, lines)) {
+    state.near.push_back(z.low);
+    state.far.push_back(z.high);
+  }
+  for (const Interval& reach : downloaded(queue, view.slabReach, shape.slabs)) {
+    state.slabReachLow.push_back(reach.low);
+    state.slabReachHigh.push_back(reach.high);
+  }
+  for (const uint16_t start : downloaded(queue, view.starts, size_t(lines) * (view.parts + 1))) {
+    state.starts.push_back(start);
+  }
   return state;
+}
+
+template <class CellT>
+test::GridReport report(const ExecOptions& options, test::GridShape shape, const std::vector<CellT>& start,
+                        test::Upkeep upkeep) {
+  KeptGrid<CellT> kept(options, shape, start, upkeep);
+  const UpkeepReport report = kept.grid.report(kept.queue, kept.cells.data());
+  const Steps steps = kept.grid.steps(kept.queue, kept.cells.data());
+  countLaunches(4);
+  return {report.misaligned, report.moved, report.rounds, {steps.along[0], steps.along[1], steps.along[2]}};
 }
 
 }  // namespace
 
 void addGridProbes(test::Probes& probes) {
-  probes.sortLineByX = sortOneLine<ByX>;
-  probes.sortLineByY = sortOneLine<ByY>;
-  probes.upkeep = upkeep;
+  probes.sortLineByX = sortOneLine<Cell, ByX>;
+  probes.sortLineByY = sortOneLine<Cell, ByY>;
+  probes.sortLineByZ = sortOneLine<Cell3, ByZ>;
+  probes.upkeep = upkeep<Cell>;
+  probes.upkeep3 = upkeep<Cell3>;
+  probes.report = report<Cell>;
+  probes.report3 = report<Cell3>;
 }
 
 }  // namespace gw::GW_DEVICE

@@ -14,11 +14,15 @@ namespace gw::test {
 using Words = std::vector<uint64_t>;
 
 struct GridShape {
-  uint32_t columns = 0, rows = 0;
-  uint32_t cells() const { return columns * rows; }
+  uint32_t columns = 0, rows = 0, slabs = 1;
+  uint32_t lines() const { return rows * slabs; }
+  uint32_t cells() const { return columns * lines(); }
 };
 
-enum class Upkeep : uint32_t { maintain, rebuild, refresh, transpose, settle };
+// packed: rebuilt, then packed. repacked: rebuilt, then all places multiplied by kStretch, then packed: by levels that
+// everybody has outgrown.
+enum class Upkeep : uint32_t { maintain, rebuild, refresh, transpose, settle, pack, repack };
+inline constexpr float kStretch = 1.25f;
 
 // What binning leaves behind.
 struct Binned {
@@ -27,10 +31,25 @@ struct Binned {
 };
 
 // Everything that NGrid upkeep leaves behind. A transposition leaves nothing about the rows.
-struct GridState {
-  std::vector<Cell> cells;
-  std::vector<uint32_t> cellOf, living;
+template <class CellT>
+struct GridStateOf {
+  std::vector<CellT> cells;
+  std::vector<uint32_t> cellOf;
+  uint32_t moved = 0;
+  // Per line (a row of any slab).
+  std::vector<uint32_t> living;
   std::vector<float> low, high, reachHigh, reachLow;
+  std::vector<float> near, far;                    // the interval of z; 3D only
+  std::vector<float> slabReachHigh, slabReachLow;  // per slab; 3D only
+  std::vector<uint32_t> starts;                    // [lines][parts + 1]
+};
+using GridState = GridStateOf<Cell>;
+using GridState3 = GridStateOf<Cell3>;
+
+// What an upkeep reports, and the mean steps of the arrangement that it left.
+struct GridReport {
+  uint32_t misaligned, moved, rounds;
+  float steps[3];
 };
 
 struct Query {
@@ -50,6 +69,8 @@ inline float binSizeFor(uint32_t cells) {
 enum class Method : uint32_t {
   rows,
   frozenRows,
+  packedRows,
+  builtRows,
   bruteForce,
   grid,
   hashedGrid,
@@ -61,7 +82,7 @@ enum class Method : uint32_t {
 };
 
 // How a cell of the grid asks for what is around it.
-enum class Around : uint32_t { rows, bruteForce, grid, hashedGrid, fixedWindow, adaptiveWindow };
+enum class Around : uint32_t { rows, packedRows, bruteForce, grid, hashedGrid, fixedWindow, adaptiveWindow };
 
 struct Gathered {
   std::vector<uint32_t> found;   // [query][id / 32] a bit for each neighbour
@@ -94,7 +115,12 @@ struct Probes {
 
   std::vector<Cell> (*sortLineByX)(const ExecOptions&, const std::vector<Cell>&);
   std::vector<Cell> (*sortLineByY)(const ExecOptions&, const std::vector<Cell>&);
+  std::vector<Cell3> (*sortLineByZ)(const ExecOptions&, const std::vector<Cell3>&);
   GridState (*upkeep)(const ExecOptions&, GridShape, const std::vector<Cell>&, Upkeep);
+  GridState3 (*upkeep3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, Upkeep);
+  // After one upkeep, of an arrangement whose cellOf was right.
+  GridReport (*report)(const ExecOptions&, GridShape, const std::vector<Cell>&, Upkeep);
+  GridReport (*report3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, Upkeep);
   // The cells in the order of their bins, and the indexes in that of their buckets (as cellOf; the cells stay).
   Binned (*binCells)(const ExecOptions&, const std::vector<Cell>&);
   Binned (*hashCells)(const ExecOptions&, const std::vector<Cell>&);
@@ -103,8 +129,9 @@ struct Probes {
   // Maintains, then lets every living cell look around itself, and at what comes after it: found and visits are
   // [cell] of the first, tested of both.
   Gathered (*gatherAround)(const ExecOptions&, GridShape, const std::vector<Cell>&, float radius, Around);
-  // As gather(), in three dimensions. Methods: bruteForce, grid, hashedGrid.
-  Gathered (*gather3)(const ExecOptions&, const std::vector<Cell3>&, const std::vector<Query3>&, Method);
+  // The same in three dimensions. No methods with a mistake.
+  Gathered (*gather3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, const std::vector<Query3>&, Method);
+  Gathered (*gatherAround3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, float radius, Around);
 };
 
 // Kernels that probes have launched on a real CUDA device.

@@ -38,8 +38,8 @@ Float2 placeIn(Layout layout, std::mt19937_64& random) {
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, const CellSpec& spec) {
-  return out << "layout " << uint32_t(spec.layout) << ", " << spec.shape.columns << " x " << spec.shape.rows << ", "
-             << spec.deadPercent << "% dead, seed " << spec.seed;
+  return out << "layout " << uint32_t(spec.layout) << ", " << spec.shape.columns << " x " << spec.shape.rows << " x "
+             << spec.shape.slabs << ", " << spec.deadPercent << "% dead, seed " << spec.seed;
 }
 
 float between(std::mt19937_64& random, float low, float high) {
@@ -70,21 +70,37 @@ std::vector<Cell3> makeCells3(const CellSpec& spec) {
   return cells;
 }
 
-void moveCells(std::vector<Cell>& cells, float step, uint64_t seed) {
+namespace {
+
+float* heightOf(Cell&) {
+  return nullptr;
+}
+float* heightOf(Cell3& cell) {
+  return &cell.z;
+}
+
+template <class CellT>
+void moveAll(std::vector<CellT>& cells, float step, uint64_t seed) {
   std::mt19937_64 random(seed);
-  for (Cell& cell : cells) {
+  for (CellT& cell : cells) {
     const bool dead = cell.x == kInfinite;
-    if (!dead) {
-      cell.x += between(random, -step, step);
-      cell.y += between(random, -step, step);
-    }
     const uint64_t fate = random() % 64;
-    if (!dead && fate == 0) cell.x = cell.y = kInfinite;
-    if (dead && fate == 1) {
-      cell.x = between(random, 0, 100);
-      cell.y = between(random, 0, 100);
+    for (float* place : {&cell.x, &cell.y, heightOf(cell)}) {
+      if (!place) continue;
+      if (!dead) *place += between(random, -step, step);
+      if (!dead && fate == 0) *place = kInfinite;
+      if (dead && fate == 1) *place = between(random, 0, 100);
     }
   }
+}
+
+}  // namespace
+
+void moveCells(std::vector<Cell>& cells, float step, uint64_t seed) {
+  moveAll(cells, step, seed);
+}
+void moveCells(std::vector<Cell3>& cells, float step, uint64_t seed) {
+  moveAll(cells, step, seed);
 }
 
 std::vector<Query> makeQueries(const std::vector<Cell>& cells, uint32_t count, uint64_t seed) {
@@ -100,7 +116,7 @@ std::vector<Query> makeQueries(const std::vector<Cell>& cells, uint32_t count, u
     const Cell &from = any(), &to = any();
     const float across = std::fabs(to.x - from.x), along = std::fabs(to.y - from.y);
     Query query{from.x, from.y, 1.0f};
-    switch (q % 6) {
+    switch (q % 8) {
       case 0:
         query = {from.x, to.y, across};
         break;  // `to` exactly right or left on the boundary
@@ -119,8 +135,13 @@ std::vector<Query> makeQueries(const std::vector<Cell>& cells, uint32_t count, u
       case 5:
         query.radius = std::ldexp(1.0f, int(random() % 240) - 120);
         break;
+      case 6:
+        query.radius = 0.0f;
+        break;
+      case 7:
+        query.radius = kInfinite;
+        break;
     }
-    if (!(query.radius > 0.0f) || !(query.radius < kInfinite)) query.radius = 1e-6f;
     queries.push_back(query);
   }
   return queries;

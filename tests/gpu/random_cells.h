@@ -37,6 +37,7 @@ std::vector<Cell3> makeCells3(const CellSpec& spec);
 
 // Moves every living cell by up to `step` along each axis; kills and revives some.
 void moveCells(std::vector<Cell>& cells, float step, uint64_t seed);
+void moveCells(std::vector<Cell3>& cells, float step, uint64_t seed);
 
 // Places of entities and others; radii from nothing to everything, half of them such that an entity stands
 // exactly on the boundary.

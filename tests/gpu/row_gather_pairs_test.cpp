@@ -16,7 +16,7 @@ using Pairs = std::map<std::pair<uint32_t, uint32_t>, int>;  // how often each p
 
 struct Arranged {
   Queue queue{ExecOptions{.threads = 1}};
-  NGrid grid;
+  NGrid<Cell> grid;
   Buffer<Cell> cells;
   Buffer<uint32_t> cellOf;
 

@@ -3,52 +3,116 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <bit>
+#include <limits>
 #include <numeric>
+#include <set>
 
-#include "tests/gpu/gather_checker.h"
+#include "tests/gpu/both_dimensions.h"
 
 namespace gw::test {
 namespace {
 
 const Probes kDevice = cpu::probes();
 
+template <class CellT>
 CellSpec anySpec() {
+  const uint32_t slabs = In<CellT>::flat ? 1 : *rc::gen::inRange(1u, 20u);
+  const uint32_t most = In<CellT>::flat ? 71 : 17;  // up to 5,000 cells
   return {Layout(*rc::gen::inRange(0u, kLayouts)),
-          {*rc::gen::inRange(1u, 50u), *rc::gen::inRange(1u, 50u)},
+          {*rc::gen::inRange(1u, most), *rc::gen::inRange(1u, most), slabs},
           *rc::gen::element(0u, 10u, 50u, 95u, 100u),
           *rc::gen::arbitrary<uint64_t>()};
 }
 
-RC_GTEST_PROP(RowGather, FindsWhatBruteForceFinds, ()) {
-  const CellSpec spec = anySpec();
-  const auto cells = makeCells(spec);
-  const auto queries = makeQueries(cells, 60, spec.seed + 1);
+constexpr Method kByRows[] = {Method::rows, Method::frozenRows, Method::packedRows, Method::builtRows};
+
+// Of cells in no order at all, by every upkeep that exact gathers go with.
+template <class CellT>
+void findsWhatBruteForceFinds() {
+  const CellSpec spec = anySpec<CellT>();
+  const auto cells = In<CellT>::cells(spec);
+  const auto queries = In<CellT>::queries(cells, 64, spec.seed + 1);
   RC_ASSERT(checkGather(spec.shape, cells, queries, Method::bruteForce) == "");
-  RC_ASSERT(checkGather(spec.shape, cells, queries, Method::rows) == "");
+  for (Method method : kByRows) RC_ASSERT(checkGather(spec.shape, cells, queries, method) == "");
+}
+RC_GTEST_PROP(RowGather, FindsWhatBruteForceFinds, ()) {
+  findsWhatBruteForceFinds<Cell>();
+}
+RC_GTEST_PROP(RowGather, FindsWhatBruteForceFindsIn3D, ()) {
+  findsWhatBruteForceFinds<Cell3>();
 }
 
-RC_GTEST_PROP(RowGather, StaysExactAfterMotion, ()) {
-  const CellSpec spec = anySpec();
+template <class CellT>
+void staysExactAfterMotion() {
+  const CellSpec spec = anySpec<CellT>();
   const auto steps = *rc::gen::inRange(1u, 20u);
   const auto step_m = *rc::gen::element(0.01f, 1.0f, 30.0f);
-  auto cells = kDevice.upkeep({1}, spec.shape, makeCells(spec), Upkeep::rebuild).cells;
+  const auto upkeep = *rc::gen::element(Upkeep::maintain, Upkeep::refresh, Upkeep::pack);
+  auto cells = In<CellT>::upkeep(kDevice)({1}, spec.shape, In<CellT>::cells(spec), Upkeep::rebuild).cells;
   for (uint32_t step = 0; step < steps; ++step) {
     moveCells(cells, step_m, spec.seed + step);
-    cells = kDevice.upkeep({1}, spec.shape, cells, Upkeep::maintain).cells;
+    cells = In<CellT>::upkeep(kDevice)({1}, spec.shape, cells, upkeep).cells;
   }
-  RC_ASSERT(checkGather(spec.shape, cells, makeQueries(cells, 60, spec.seed), Method::rows) == "");
+  const auto queries = In<CellT>::queries(cells, 64, spec.seed);
+  for (Method method : kByRows) RC_ASSERT(checkGather(spec.shape, cells, queries, method) == "");
+}
+RC_GTEST_PROP(RowGather, StaysExactAfterMotion, ()) {
+  staysExactAfterMotion<Cell>();
+}
+RC_GTEST_PROP(RowGather, StaysExactAfterMotionIn3D, ()) {
+  staysExactAfterMotion<Cell3>();
 }
 
-// The rows that a rebuild made, kept for 200 frames.
-TEST(RowGather, StaysExactOverFrozenRows) {
+// Every cell looks around itself, and at what comes after it: as brute force does.
+template <class CellT>
+class LookingAround : public testing::Test {};
+TYPED_TEST_SUITE(LookingAround, Dimensions);
+
+TYPED_TEST(LookingAround, FindsWhatBruteForceFinds) {
+  const GridShape shape = In<TypeParam>::flat ? GridShape{37, 22} : GridShape{13, 10, 6};
+  const auto look = In<TypeParam>::around(kDevice);
+  for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+    const auto cells = In<TypeParam>::cells({Layout(layout), shape, 15, layout + 40});
+    for (const float radius : {0.0f, 0.3f, 5.0f, 40.0f, 1e30f, std::numeric_limits<float>::infinity()}) {
+      // By id: they arrange the cells differently.
+      const auto byId = [&](Around method) {
+        const Gathered gathered = look({2}, shape, cells, radius, method);
+        const size_t words = (shape.cells() + 31) / 32;
+        std::multiset<std::vector<uint32_t>> sets;
+        for (uint32_t i = 0; i < shape.cells(); ++i) {
+          if (gathered.visits[i] == 0) continue;
+          std::vector<uint32_t> set(gathered.found.begin() + ptrdiff_t(i * words),
+                                    gathered.found.begin() + ptrdiff_t((i + 1) * words));
+          uint32_t count = 0;
+          for (uint32_t word : set) count += uint32_t(std::popcount(word));
+          EXPECT_EQ(gathered.visits[i], count);
+          sets.insert(set);
+        }
+        return sets;
+      };
+      const auto wanted = byId(Around::bruteForce);
+      EXPECT_TRUE(byId(Around::rows) == wanted) << layout << ", " << radius;
+      EXPECT_TRUE(byId(Around::packedRows) == wanted) << layout << ", " << radius;
+    }
+  }
+}
+
+// The rows that a rebuild made, kept for 200 frames: asked as they stand, without any other upkeep.
+template <class CellT>
+class FrozenRows : public testing::Test {};
+TYPED_TEST_SUITE(FrozenRows, Dimensions);
+
+TYPED_TEST(FrozenRows, StayExact) {
+  const GridShape shape = In<TypeParam>::flat ? GridShape{48, 20} : GridShape{20, 7, 6};
   for (const Layout layout : {Layout::uniform, Layout::clustered, Layout::lattice}) {
-    const CellSpec spec{layout, {48, 20}, 10, 3};
-    auto cells = kDevice.upkeep({1}, spec.shape, makeCells(spec), Upkeep::rebuild).cells;
+    auto cells = In<TypeParam>::cells({layout, shape, 10, 3});
+    cells = In<TypeParam>::upkeep(kDevice)({1}, shape, cells, Upkeep::rebuild).cells;
     for (uint32_t frame = 0; frame < 200; ++frame) {
       moveCells(cells, 0.4f, frame);
-      cells = kDevice.upkeep({1}, spec.shape, cells, Upkeep::refresh).cells;
-      // As they stand: asked by rows without any other upkeep.
-      ASSERT_EQ(checkGather(spec.shape, cells, makeQueries(cells, 20, frame), Method::frozenRows), "") << frame;
+      cells = In<TypeParam>::upkeep(kDevice)({1}, shape, cells, Upkeep::refresh).cells;
+      const auto queries = In<TypeParam>::queries(cells, 24, frame);
+      ASSERT_EQ(checkGather(shape, cells, queries, Method::frozenRows), "") << frame;
     }
   }
 }
@@ -57,7 +121,14 @@ TEST(RowGather, FindsEveryBoundaryOfEveryLayout) {
   for (uint32_t layout = 0; layout < kLayouts; ++layout) {
     const CellSpec spec{Layout(layout), {48, 25}, 10, layout + 1};
     const auto cells = makeCells(spec);
-    EXPECT_EQ(checkGather(spec.shape, cells, makeQueries(cells, 1500, layout), Method::rows, {2}), "") << spec;
+    for (Method method : kByRows) {
+      EXPECT_EQ(checkGather(spec.shape, cells, makeQueries(cells, 1500, layout), method, {2}), "") << spec;
+    }
+    const CellSpec deep{Layout(layout), {24, 9, 6}, 10, layout + 1};
+    const auto high = makeCells3(deep);
+    for (Method method : kByRows) {
+      EXPECT_EQ(checkGather(deep.shape, high, makeQueries3(high, 1500, layout), method, {2}), "") << deep;
+    }
   }
 }
 
@@ -93,10 +164,12 @@ TEST(RowGather, TestsFewCandidatesOnSpreadData) {
     const double tested = std::accumulate(gathered.tested.begin(), gathered.tested.end(), 0.0);
     return tested / double(queries.size());
   };
-  const double rows = total(Method::rows), brute = total(Method::bruteForce);
+  const double rows = total(Method::rows), packed = total(Method::packedRows), brute = total(Method::bruteForce);
   RecordProperty("tests_per_query", std::to_string(rows));
+  RecordProperty("tests_per_query_packed", std::to_string(packed));
   EXPECT_EQ(brute, double(shape.cells()));
   EXPECT_LT(rows, brute / 40);
+  EXPECT_LT(packed, brute / 100);
 }
 
 // How many of a hundred rounds of random data and queries the judge refuses.

@@ -45,7 +45,7 @@ RC_GTEST_PROP(UniformGrid, FindsWhatBruteForceFindsInThreeDimensions, ()) {
   const auto cells = makeCells3(spec);
   const auto queries = makeQueries3(cells, 30, spec.seed + 1);
   for (const Method method : {Method::bruteForce, Method::grid, Method::hashedGrid}) {
-    RC_ASSERT(checkGather3(cells, queries, method) == "");
+    RC_ASSERT(checkGather(spec.shape, cells, queries, method) == "");
   }
 }
 
@@ -58,13 +58,13 @@ TEST(UniformGrid, FindsEveryBoundaryOfEveryLayout) {
     EXPECT_EQ(checkGather(spec.shape, cells, queries, Method::hashedGrid, {2}), "") << spec;
     const auto high = makeCells3(spec);
     for (const Method method : {Method::grid, Method::hashedGrid}) {
-      EXPECT_EQ(checkGather3(high, makeQueries3(high, 900, layout), method), "") << spec;
+      EXPECT_EQ(checkGather(spec.shape, high, makeQueries3(high, 900, layout), method), "") << spec;
     }
   }
 }
 
 // A world of one height is flat: the third dimension changes no neighbour.
-TEST(UniformGrid, OfOneHeightIsFlat) {
+TEST(ThreeDimensions, OfOneHeightAreTwo) {
   const CellSpec spec{Layout::uniform, {40, 40}, 10, 77};
   const auto flat = makeCells(spec);
   std::vector<Cell3> level;
@@ -73,7 +73,11 @@ TEST(UniformGrid, OfOneHeightIsFlat) {
   std::vector<Query3> same;
   for (const Query& query : queries) same.push_back({query.x, query.y, 0.0f, query.radius});
   EXPECT_EQ(kDevice.gather({1}, spec.shape, flat, queries, Method::grid).found,
-            kDevice.gather3({1}, level, same, Method::grid).found);
+            kDevice.gather3({1}, spec.shape, level, same, Method::grid).found);
+  for (const Method method : {Method::rows, Method::packedRows, Method::frozenRows}) {
+    EXPECT_EQ(kDevice.gather({1}, spec.shape, flat, queries, method).found,
+              kDevice.gather3({1}, spec.shape, level, same, method).found);
+  }
 }
 
 TEST(UniformGrid, NeighboursAroundAndAfterAreThoseOfBruteForce) {

@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "gpu/brute_force.h"
 #include "gpu/row_gather.h"
-#include "tests/gpu/random_cells.h"
+#include "tests/gpu/both_dimensions.h"
 #include "tests/naive/gpu_oracles.h"
+#include "tests/naive/ngrid_oracles.h"
 
 namespace gw::cpu {
 namespace {
@@ -22,16 +22,22 @@ using test::GridShape;
 using test::Layout;
 using test::Upkeep;
 
-std::vector<Cell> kept(const CellSpec& spec, Upkeep upkeep) {
-  return probes().upkeep({1}, spec.shape, test::makeCells(spec), upkeep).cells;
+template <class CellT>
+using In = test::In<CellT>;
+
+template <class CellT = Cell>
+std::vector<CellT> kept(const CellSpec& spec, Upkeep upkeep) {
+  return In<CellT>::upkeep(probes())({1}, spec.shape, In<CellT>::cells(spec), upkeep).cells;
 }
 
 // The cells as they stand, with nothing known of the rows: windows must not need it.
-NGridView viewOf(GridShape shape, const std::vector<Cell>& cells) {
-  NGridView view{};
+template <class CellT>
+NGridView<CellT> viewOf(GridShape shape, const std::vector<CellT>& cells) {
+  NGridView<CellT> view{};
   view.cells = cells.data();
   view.columns = shape.columns;
   view.rows = shape.rows;
+  view.slabs = shape.slabs;
   return view;
 }
 
@@ -42,32 +48,41 @@ struct Found {
   bool right = true;  // every visit named the cell and the differences rightly
 };
 
-template <class Ask>
-Found collect(const std::vector<Cell>& cells, uint32_t i, const Ask& ask) {
+template <class CellT, class Ask>
+Found collect(const std::vector<CellT>& cells, uint32_t i, const Ask& ask) {
   Found found;
-  found.tested = ask([&](const Cell& cell, uint32_t index, Float2 away) {
+  found.tested = ask([&](const CellT& cell, uint32_t index, PlaceOf<CellT> away) {
     found.ids.push_back(cell.id);
     found.cells.push_back(index);
-    found.right &= cells[index].id == cell.id && away.x == cell.x - cells[i].x && away.y == cell.y - cells[i].y;
+    const PlaceOf<CellT> wanted = placeOf(cell) - placeOf(cells[i]);
+    found.right &=
+        cells[index].id == cell.id && away.x == wanted.x && away.y == wanted.y && heightOf(away) == heightOf(wanted);
   });
   std::sort(found.ids.begin(), found.ids.end());
   std::sort(found.cells.begin(), found.cells.end());
   return found;
 }
 
-template <class Search>
-Found around(const Search& search, const std::vector<Cell>& cells, uint32_t i, float radius) {
+template <class Search, class CellT>
+Found around(const Search& search, const std::vector<CellT>& cells, uint32_t i, float radius) {
   return collect(cells, i, [&](auto see) { return search.around(i, placeOf(cells[i]), radius, see); });
 }
 
-template <class Search>
-Found after(const Search& search, const std::vector<Cell>& cells, uint32_t i, float radius) {
+template <class Search, class CellT>
+Found after(const Search& search, const std::vector<CellT>& cells, uint32_t i, float radius) {
   return collect(cells, i, [&](auto see) { return search.after(i, placeOf(cells[i]), radius, see); });
 }
 
+std::vector<uint32_t> exactNeighbours(const std::vector<Cell>& cells, uint32_t i, float radius) {
+  return naive::neighbours(cells, test::Query{cells[i].x, cells[i].y, radius});
+}
+std::vector<uint32_t> exactNeighbours(const std::vector<Cell3>& cells, uint32_t i, float radius) {
+  return naive::neighbours(cells, test::Query3{cells[i].x, cells[i].y, cells[i].z, radius});
+}
+
 // Empty when every living cell finds what `wanted` says, and after() is the later part of around().
-template <class Search, class Wanted>
-std::string check(const Search& search, const std::vector<Cell>& cells, float radius, const Wanted& wanted) {
+template <class Search, class CellT, class Wanted>
+std::string check(const Search& search, const std::vector<CellT>& cells, float radius, const Wanted& wanted) {
   for (uint32_t i = 0; i < cells.size(); ++i) {
     if (!isLiving(cells[i].x)) continue;
     const Found all = around(search, cells, i, radius), later = after(search, cells, i, radius);
@@ -75,7 +90,7 @@ std::string check(const Search& search, const std::vector<Cell>& cells, float ra
     if (all.ids != wanted(i)) return where + "other neighbours than the definition's";
     if (!all.right || !later.right) return where + "a visit with a wrong place";
     if (all.tested < all.ids.size() || later.tested > all.tested) return where + "tests miscounted";
-    const auto exact = naive::neighbours(cells, {cells[i].x, cells[i].y, radius});
+    const auto exact = exactNeighbours(cells, i, radius);
     if (!std::includes(exact.begin(), exact.end(), all.ids.begin(), all.ids.end())) return where + "not a neighbour";
     if (!std::binary_search(all.cells.begin(), all.cells.end(), i)) return where + "did not find itself";
     if (later.cells != std::vector(std::upper_bound(all.cells.begin(), all.cells.end(), i), all.cells.end())) {
@@ -85,28 +100,40 @@ std::string check(const Search& search, const std::vector<Cell>& cells, float ra
   return "";
 }
 
-std::string checkFixed(GridShape shape, const std::vector<Cell>& cells, float radius, uint32_t nRadius) {
-  return check(FixedGather{viewOf(shape, cells), nRadius}, cells, radius,
-               [&](uint32_t i) { return naive::windowNeighbours(shape, cells, i, nRadius, nRadius, radius); });
+template <class CellT>
+std::string checkFixed(GridShape shape, const std::vector<CellT>& cells, float radius, NRadius n) {
+  const uint32_t away[3] = {n.x, n.y, n.z};
+  return check(FixedGather{viewOf(shape, cells), n}, cells, radius,
+               [&](uint32_t i) { return naive::windowNeighbours(shape, cells, i, away, radius); });
 }
 
-std::string checkAdaptive(GridShape shape, const std::vector<Cell>& cells, float radius) {
+template <class CellT>
+std::string checkAdaptive(GridShape shape, const std::vector<CellT>& cells, float radius) {
   return check(AdaptiveGather{viewOf(shape, cells)}, cells, radius,
                [&](uint32_t i) { return naive::adaptiveNeighbours(shape, cells, i, radius); });
 }
 
-constexpr GridShape kShapes[] = {{1, 1}, {1, 13}, {13, 1}, {3, 2}, {8, 8}, {23, 14}};
+template <class CellT>
+class WindowGatherOf : public testing::Test {
+ public:
+  static std::vector<GridShape> shapes() {
+    if (In<CellT>::flat) return {{1, 1}, {1, 13}, {13, 1}, {3, 2}, {8, 8}, {23, 14}};
+    return {{1, 1, 1}, {1, 1, 13}, {3, 2, 4}, {7, 6, 5}};
+  }
+};
+TYPED_TEST_SUITE(WindowGatherOf, test::Dimensions);
 
-TEST(WindowGather, FindsWhatItsDefinitionSaysInEveryLayout) {
+TYPED_TEST(WindowGatherOf, FindsWhatItsDefinitionSaysInEveryLayout) {
   uint64_t seed = 1;
-  for (const GridShape& shape : kShapes) {
+  for (const GridShape& shape : this->shapes()) {
     for (uint32_t layout = 0; layout < test::kLayouts; ++layout) {
       const CellSpec spec{Layout(layout), shape, layout % 3 * 20, ++seed};
       for (const Upkeep upkeep : {Upkeep::transpose, Upkeep::maintain, Upkeep::rebuild, Upkeep::settle}) {
-        const auto cells = kept(spec, upkeep);
-        for (const float radius : {1e-30f, 0.5f, 12.0f, 1e30f}) {
+        const auto cells = kept<TypeParam>(spec, upkeep);
+        for (const float radius : {0.0f, 1e-30f, 0.5f, 12.0f, 1e30f, kInfinity}) {
           SCOPED_TRACE(testing::Message() << spec << " upkeep " << uint32_t(upkeep) << " radius " << radius);
-          EXPECT_EQ(checkFixed(shape, cells, radius, 4), "");
+          EXPECT_EQ(checkFixed(shape, cells, radius, {}), "");
+          EXPECT_EQ(checkFixed(shape, cells, radius, {2, 5, 1}), "");
           EXPECT_EQ(checkAdaptive(shape, cells, radius), "");
         }
       }
@@ -114,14 +141,24 @@ TEST(WindowGather, FindsWhatItsDefinitionSaysInEveryLayout) {
   }
 }
 
-RC_GTEST_PROP(WindowGather, FindsWhatItsDefinitionSaysOnAnything, ()) {
-  const GridShape shape{*rc::gen::inRange(1u, 24u), *rc::gen::inRange(1u, 24u)};
+template <class CellT>
+void findsWhatItsDefinitionSays() {
+  const uint32_t most = In<CellT>::flat ? 24 : 9;
+  const GridShape shape{*rc::gen::inRange(1u, most), *rc::gen::inRange(1u, most),
+                        In<CellT>::flat ? 1 : *rc::gen::inRange(1u, most)};
   const CellSpec spec{Layout(*rc::gen::inRange(0u, test::kLayouts)), shape, *rc::gen::element(0u, 10u, 50u, 95u),
                       *rc::gen::arbitrary<uint64_t>()};
-  const auto cells = test::makeCells(spec);  // in no order at all
+  const auto cells = In<CellT>::cells(spec);  // in no order at all
   const float radius = *rc::gen::element(0.01f, 1.0f, 7.0f, 40.0f);
-  RC_ASSERT(checkFixed(shape, cells, radius, *rc::gen::inRange(0u, 30u)) == "");
+  const NRadius n{*rc::gen::inRange(0u, 30u), *rc::gen::inRange(0u, 30u), *rc::gen::inRange(0u, 30u)};
+  RC_ASSERT(checkFixed(shape, cells, radius, n) == "");
   RC_ASSERT(checkAdaptive(shape, cells, radius) == "");
+}
+RC_GTEST_PROP(WindowGather, FindsWhatItsDefinitionSaysOnAnything, ()) {
+  findsWhatItsDefinitionSays<Cell>();
+}
+RC_GTEST_PROP(WindowGather, FindsWhatItsDefinitionSaysOnAnythingIn3D, ()) {
+  findsWhatItsDefinitionSays<Cell3>();
 }
 
 TEST(WindowGather, TheOnlyOneAliveFindsItselfInEveryCell) {
@@ -145,7 +182,7 @@ TEST(WindowGather, AFixedWindowHasTheSizeOfItsNRadius) {
   const GridShape shape{20, 15};
   const auto cells = kept({Layout::coincident, shape, 0, 3}, Upkeep::maintain);
   const auto tested = [&](uint32_t i, uint32_t nRadius) {
-    return around(FixedGather{viewOf(shape, cells), nRadius}, cells, i, 1.0f).tested;
+    return around(FixedGather{viewOf(shape, cells), NRadius{nRadius, nRadius, 0}}, cells, i, 1.0f).tested;
   };
   const uint32_t middle = 7 * 20 + 10;
   EXPECT_EQ(tested(middle, 4), 81u);
@@ -155,6 +192,10 @@ TEST(WindowGather, AFixedWindowHasTheSizeOfItsNRadius) {
   EXPECT_EQ(tested(shape.cells() - 1, 4), 25u);
   EXPECT_EQ(tested(10, 4), 45u);
   EXPECT_EQ(tested(middle, 0xFFFFFFFFu), 300u);  // all there is, without wrapping round
+  EXPECT_EQ(around(FixedGather{viewOf(shape, cells), NRadius{2, 5, 0}}, cells, middle, 1.0f).tested, 55u);
+  const GridShape deep{9, 8, 7};
+  const auto high = kept<Cell3>({Layout::coincident, deep, 0, 3}, Upkeep::maintain);
+  EXPECT_EQ(around(FixedGather{viewOf(deep, high), NRadius{1, 2, 3}}, high, 3 * 72 + 3 * 9 + 4, 1.0f).tested, 105u);
 }
 
 TEST(WindowGather, APairIsFoundFromBothSidesOfAFixedWindow) {
@@ -176,7 +217,7 @@ TEST(WindowGather, APairIsFoundFromBothSidesOfAFixedWindow) {
 TEST(WindowGather, AroundIsTheExactSearchOfExactMethods) {
   const CellSpec spec{Layout::lattice, {31, 12}, 20, 4};
   Queue queue(ExecOptions{.threads = 1});
-  NGrid grid(queue, {spec.shape.columns, spec.shape.rows});
+  NGrid<Cell> grid(queue, {spec.shape.columns, spec.shape.rows});
   Buffer<Cell> held(queue, spec.shape.cells());
   Buffer<uint32_t> cellOf(queue, spec.shape.cells());
   held.upload(test::makeCells(spec));
@@ -193,7 +234,7 @@ TEST(WindowGather, AroundIsTheExactSearchOfExactMethods) {
                                        std::pair(around(brute, cells, i, 3.0f), direct(brute))}) {
       ASSERT_EQ(mine.ids, wanted.ids);
       ASSERT_EQ(mine.tested, wanted.tested);
-      ASSERT_EQ(mine.ids, naive::neighbours(cells, {cells[i].x, cells[i].y, 3.0f}));
+      ASSERT_EQ(mine.ids, exactNeighbours(cells, i, 3.0f));
     }
   }
 }
@@ -209,7 +250,7 @@ Recall recallOf(const Search& search, const std::vector<Cell>& cells, float radi
     const Found mine = around(search, cells, i, radius);
     found += mine.ids.size() - 1;
     tested += mine.tested - 1;
-    all += naive::neighbours(cells, {cells[i].x, cells[i].y, radius}).size() - 1;
+    all += exactNeighbours(cells, i, radius).size() - 1;
   }
   return {double(found) / double(all), double(tested) / double(askers)};
 }
@@ -217,7 +258,7 @@ Recall recallOf(const Search& search, const std::vector<Cell>& cells, float radi
 // Freshly sorted uniform data, about 20 neighbours each. Measured here: fixed 0.988 of the neighbours for 76 tests,
 // adaptive 0.851 for 26; fixed on the full sort 0.699.
 TEST(WindowGather, FindsNearlyAllOnASettledUniformGrid) {
-  const NDimensions d = chooseWindowDimensions(8192, 1.0f);
+  const NDimensions d = chooseWindowDimensions(8192, {1.0f, 1.0f, 0.0f});
   const GridShape shape{d.columns, d.rows};
   const float radius = std::sqrt(20.0f / 3.14159265f * 1.0e4f / 8192.0f);
   const auto settled = kept({Layout::uniform, shape, 0, 21}, Upkeep::settle);
@@ -233,27 +274,6 @@ TEST(WindowGather, FindsNearlyAllOnASettledUniformGrid) {
   EXPECT_GT(adaptive.found, 0.8);
   EXPECT_LT(adaptive.tested, fixed.tested);
   EXPECT_LT(onPacked.found, 0.8);  // why windows start from settle(), not from rebuild()
-}
-
-TEST(ChooseWindowDimensions, FollowsTheWorldsAspect) {
-  for (const float aspect : {0.1f, 1.0f, 1.7777778f, 10.0f}) {
-    for (uint32_t n = 100; n < 2000000; n += n / 3 + 1) {
-      const NDimensions d = chooseWindowDimensions(n, aspect);
-      ASSERT_GE(d.cells(), n);
-      ASSERT_LT(d.cells() - n, d.columns);
-      if (n > 1000 && n < 400000) {  // beyond, the longest line is the limit
-        ASSERT_NEAR(float(d.columns) / float(d.rows) / aspect, 1.0f, 0.2f) << n;
-      }
-    }
-  }
-  EXPECT_EQ(chooseWindowDimensions(0, 1.0f).cells(), 1u);
-  EXPECT_EQ(chooseWindowDimensions(1, 1e-30f).cells(), 1u);
-  EXPECT_EQ(chooseWindowDimensions(5000, 1e-30f).columns, 3u);
-  EXPECT_EQ(chooseWindowDimensions(2048 * 2048, 1e-30f).columns, kLongestLine);
-  EXPECT_THROW(chooseWindowDimensions(2048 * 2048 + 1, 1.0f), std::invalid_argument);
-  EXPECT_THROW(chooseWindowDimensions(100, 0.0f), std::invalid_argument);
-  EXPECT_THROW(chooseWindowDimensions(100, std::nanf("")), std::invalid_argument);
-  EXPECT_THROW(chooseWindowDimensions(0xFFFFFFFFu, 1.0f), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,435 @@
+#include "tests/naive/ngrid_oracles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+
+#include "tests/naive/gpu_oracles.h"
+
+namespace gw::naive {
+namespace {
+
+using test::GridShape;
+using test::Upkeep;
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+float along(const Cell& cell, int axis) {
+  return axis == 0 ? cell.x : axis == 1 ? cell.y : 0.0f;
+}
+float along(const Cell3& cell, int axis) {
+  return axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
+}
+constexpr bool flat(const Cell&) {
+  return true;
+}
+constexpr bool flat(const Cell3&) {
+  return false;
+}
+bool lives(const Cell& cell) {
+  return cell.x < kInfinite;
+}
+bool lives(const Cell3& cell) {
+  return cell.x < kInfinite;
+}
+void stretch(Cell& cell) {
+  cell.x *= test::kStretch;
+  cell.y *= test::kStretch;
+}
+void stretch(Cell3& cell) {
+  cell.x *= test::kStretch;
+  cell.y *= test::kStretch;
+  cell.z *= test::kStretch;
+}
+
+// -0 before +0, as the keys of the full sort have it.
+int64_t totalOrder(float value) {
+  const int32_t bits = std::bit_cast<int32_t>(value);
+  return bits < 0 ? int64_t(-1) - (int64_t(bits) & 0x7fffffff) : int64_t(bits);
+}
+
+constexpr int kOrder[3][3] = {{0, 1, 2}, {1, 0, 2}, {2, 1, 0}};
+
+template <class CellT>
+bool before(const CellT& a, const CellT& b, int axis) {
+  const auto key = [&](const CellT& c) {
+    return std::tuple(along(c, kOrder[axis][0]), along(c, kOrder[axis][1]), along(c, kOrder[axis][2]), c.id);
+  };
+  return key(a) < key(b);
+}
+
+// The cell before this one on its line of an axis; -1 for the first.
+int64_t predecessor(GridShape shape, uint32_t i, int axis) {
+  const uint32_t slabCells = shape.columns * shape.rows;
+  if (axis == 0) return i % shape.columns > 0 ? int64_t(i) - 1 : -1;
+  if (axis == 1) return i % slabCells >= shape.columns ? int64_t(i) - shape.columns : -1;
+  return i >= slabCells ? int64_t(i) - slabCells : -1;
+}
+
+// Every line of an axis, as the places of its cells.
+std::vector<std::vector<uint32_t>> linesOf(GridShape shape, int axis) {
+  std::vector<std::vector<uint32_t>> lines;
+  std::vector<uint32_t> lineOf(shape.cells());
+  for (uint32_t i = 0; i < shape.cells(); ++i) {
+    const int64_t last = predecessor(shape, i, axis);
+    if (last < 0) {
+      lineOf[i] = uint32_t(lines.size());
+      lines.emplace_back();
+    } else {
+      lineOf[i] = lineOf[size_t(last)];
+    }
+    lines[lineOf[i]].push_back(i);
+  }
+  return lines;
+}
+
+template <class CellT>
+void sortLines(GridShape shape, std::vector<CellT>& cells, int axis) {
+  for (const auto& places : linesOf(shape, axis)) {
+    std::vector<CellT> line;
+    for (uint32_t i : places) line.push_back(cells[i]);
+    sortAlong(line, axis);
+    for (size_t k = 0; k < places.size(); ++k) cells[places[k]] = line[k];
+  }
+}
+
+template <class CellT>
+std::vector<uint32_t> placesById(const std::vector<CellT>& cells) {
+  std::vector<uint32_t> cellOf(cells.size());
+  for (uint32_t i = 0; i < cells.size(); ++i) cellOf[cells[i].id] = i;
+  return cellOf;
+}
+
+struct Extent {
+  float low = kInfinite, high = -kInfinite;
+  void take(float place) {
+    low = std::min(low, place);
+    high = std::max(high, place);
+  }
+};
+
+template <class CellT>
+Extent extentOf(const std::vector<CellT>& cells, int axis) {
+  Extent extent;
+  for (const CellT& cell : cells) {
+    if (lives(cell)) extent.take(along(cell, axis));
+  }
+  return extent;
+}
+
+uint32_t scaled(float value, uint32_t count) {
+  if (!(value > 0.0f)) return 0;
+  return value < float(count - 1) ? uint32_t(value) : count - 1;
+}
+
+// The parts of x that a row's index knows.
+struct Parts {
+  uint32_t count;
+  float left, perMetre;
+
+  template <class CellT>
+  Parts(const std::vector<CellT>& row, uint32_t parts) : count(parts) {
+    const Extent x = extentOf(row, 0);
+    left = x.low <= x.high ? x.low : 0.0f;
+    const float width = x.low <= x.high ? x.high - left : 0.0f;
+    perMetre = width > 0.0f ? float(parts) / width : 0.0f;
+  }
+  uint32_t of(float x) const { return scaled((x - left) * perMetre, count); }
+};
+
+uint32_t partsOf(GridShape shape, bool packed) {
+  if (packed) return std::max(shape.columns + shape.columns / 2, 1u);
+  return std::max(std::min(20480 / shape.lines(), 2 * shape.columns), 1u);
+}
+
+bool keepsPacked(Upkeep upkeep) {
+  return upkeep == Upkeep::refresh || upkeep == Upkeep::pack || upkeep == Upkeep::repack;
+}
+
+// Fills in what is known about the rows of state.cells, which are in order already.
+template <class CellT>
+void describe(GridShape shape, test::GridStateOf<CellT>& state, uint32_t parts) {
+  for (uint32_t line = 0; line < shape.lines(); ++line) {
+    const auto begin = state.cells.begin() + ptrdiff_t(line * shape.columns);
+    const std::vector<CellT> row(begin, begin + shape.columns);
+    const Extent y = extentOf(row, 1), z = extentOf(row, 2);
+    state.low.push_back(y.low);
+    state.high.push_back(y.high);
+    if (!flat(CellT{})) {
+      state.near.push_back(z.low);
+      state.far.push_back(z.high);
+    }
+    state.living.push_back(uint32_t(std::count_if(row.begin(), row.end(), [](const CellT& c) { return lives(c); })));
+    const Parts known(row, parts);
+    for (uint32_t p = 0; p <= parts; ++p) {
+      state.starts.push_back(uint32_t(
+          std::count_if(row.begin(), row.end(), [&](const CellT& c) { return lives(c) && known.of(c.x) < p; })));
+    }
+  }
+  for (uint32_t line = 0; line < shape.lines(); ++line) {
+    const uint32_t first = line / shape.rows * shape.rows, end = first + shape.rows;
+    state.reachHigh.push_back(*std::max_element(state.high.begin() + first, state.high.begin() + line + 1));
+    state.reachLow.push_back(*std::min_element(state.low.begin() + line, state.low.begin() + end));
+  }
+  if (flat(CellT{})) return;
+  for (uint32_t slab = 0; slab < shape.slabs; ++slab) {
+    state.slabReachHigh.push_back(*std::max_element(state.far.begin(), state.far.begin() + (slab + 1) * shape.rows));
+    state.slabReachLow.push_back(*std::min_element(state.near.begin() + slab * shape.rows, state.near.end()));
+  }
+}
+
+// All by z, cut into slabs, each by y, cut into rows.
+template <class CellT>
+void packByOrder(GridShape shape, std::vector<CellT>& cells) {
+  const auto keyed = [](const CellT& c) { return std::tuple(totalOrder(along(c, 1)), totalOrder(c.x), c.id); };
+  std::sort(cells.begin(), cells.end(), [&](const CellT& a, const CellT& b) {
+    return std::tuple(totalOrder(along(a, 2)), keyed(a)) < std::tuple(totalOrder(along(b, 2)), keyed(b));
+  });
+  const ptrdiff_t slabCells = ptrdiff_t(shape.columns * shape.rows);
+  for (ptrdiff_t begin = 0; begin < ptrdiff_t(cells.size()); begin += slabCells) {
+    std::sort(cells.begin() + begin, cells.begin() + begin + slabCells,
+              [&](const CellT& a, const CellT& b) { return keyed(a) < keyed(b); });
+  }
+}
+
+// The same by levels, each level in the order it had.
+template <class CellT>
+void packByLevels(GridShape shape, std::vector<CellT>& cells, Extent y, Extent z) {
+  const auto levelOf = [](float place, Extent all, uint32_t levels) {
+    const float height = all.high - all.low;
+    return height > 0.0f ? scaled((place - all.low) * (float(levels) / height), levels) : 0;
+  };
+  const auto arrange = [&](ptrdiff_t begin, ptrdiff_t end, int axis, Extent all, uint32_t levels) {
+    std::stable_sort(cells.begin() + begin, cells.begin() + end, [&](const CellT& a, const CellT& b) {
+      const uint32_t levelA = lives(a) ? levelOf(along(a, axis), all, levels) : levels;
+      return levelA < (lives(b) ? levelOf(along(b, axis), all, levels) : levels);
+    });
+  };
+  const ptrdiff_t slabCells = ptrdiff_t(shape.columns * shape.rows), n = ptrdiff_t(cells.size());
+  if (!flat(CellT{})) arrange(0, n, 2, z, 32 * shape.slabs);
+  for (ptrdiff_t begin = 0; begin < n; begin += slabCells) arrange(begin, begin + slabCells, 1, y, 32 * shape.rows);
+}
+
+// Each row into parts of x, each part in the order it had, the dead last.
+template <class CellT>
+void splitRows(GridShape shape, std::vector<CellT>& cells) {
+  for (ptrdiff_t begin = 0; begin < ptrdiff_t(cells.size()); begin += shape.columns) {
+    const auto first = cells.begin() + begin, end = first + shape.columns;
+    const Parts parts(std::vector<CellT>(first, end), partsOf(shape, true));
+    std::stable_sort(first, end, [&](const CellT& a, const CellT& b) {
+      return (lives(a) ? parts.of(a.x) : parts.count) < (lives(b) ? parts.of(b.x) : parts.count);
+    });
+  }
+}
+
+// One odd and one even pass along an axis.
+template <class CellT>
+void comparePairs(GridShape shape, std::vector<CellT>& cells, int axis) {
+  for (size_t start : {1u, 0u}) {
+    for (const auto& line : linesOf(shape, axis)) {
+      for (size_t k = start; k + 1 < line.size(); k += 2) {
+        if (before(cells[line[k + 1]], cells[line[k]], axis)) std::swap(cells[line[k]], cells[line[k + 1]]);
+      }
+    }
+  }
+}
+
+template <class CellT>
+void maintain(GridShape shape, std::vector<CellT>& cells) {
+  for (int axis = 2; axis >= 0; --axis) sortLines(shape, cells, axis);
+}
+
+// Leaves the cells as they are before the last step, too: `moved` counts from there.
+template <class CellT>
+std::vector<CellT> arrange(GridShape shape, std::vector<CellT>& cells, Upkeep upkeep) {
+  std::vector<CellT> was = cells;
+  switch (upkeep) {
+    case Upkeep::maintain:
+      maintain(shape, cells);
+      break;
+    case Upkeep::settle:
+      do {
+        was = cells;
+        maintain(shape, cells);
+      } while (placesById(was) != placesById(cells));
+      break;
+    case Upkeep::transpose:
+      for (int axis = 2; axis >= 0; --axis) comparePairs(shape, cells, axis);
+      break;
+    case Upkeep::rebuild:
+      packByOrder(shape, cells);
+      sortLines(shape, cells, 0);
+      break;
+    case Upkeep::refresh:
+      splitRows(shape, cells);
+      break;
+    case Upkeep::pack:
+    case Upkeep::repack: {
+      packByOrder(shape, cells);
+      sortLines(shape, cells, 0);
+      const Extent y = extentOf(cells, 1), z = extentOf(cells, 2);
+      was = cells;
+      if (upkeep == Upkeep::repack) {
+        for (CellT& cell : cells) stretch(cell);
+      }
+      packByLevels(shape, cells, y, z);
+      splitRows(shape, cells);
+      break;
+    }
+  }
+  return was;
+}
+
+void insertIfNear(std::vector<uint32_t>& ids, const Cell& cell, const Cell& centre, float radius) {
+  if (!neighbours({cell}, test::Query{centre.x, centre.y, radius}).empty()) ids.push_back(cell.id);
+}
+void insertIfNear(std::vector<uint32_t>& ids, const Cell3& cell, const Cell3& centre, float radius) {
+  if (!neighbours({cell}, test::Query3{centre.x, centre.y, centre.z, radius}).empty()) ids.push_back(cell.id);
+}
+
+struct Place {
+  uint32_t along[3];
+};
+Place placeOf(GridShape shape, uint32_t cell) {
+  const uint32_t line = cell / shape.columns;
+  return {{cell % shape.columns, line % shape.rows, line / shape.rows}};
+}
+
+template <class CellT>
+std::vector<uint32_t> nearIn(GridShape shape, const std::vector<CellT>& arranged, uint32_t cell, const uint32_t* first,
+                             const uint32_t* last, float radius) {
+  std::vector<uint32_t> ids;
+  for (uint32_t s = first[2]; s <= last[2]; ++s) {
+    for (uint32_t r = first[1]; r <= last[1]; ++r) {
+      for (uint32_t c = first[0]; c <= last[0]; ++c) {
+        insertIfNear(ids, arranged[(s * shape.rows + r) * shape.columns + c], arranged[cell], radius);
+      }
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+}  // namespace
+
+template <class CellT>
+void sortAlong(std::vector<CellT>& line, int axis) {
+  std::sort(line.begin(), line.end(), [&](const CellT& a, const CellT& b) { return before(a, b, axis); });
+}
+
+template <class CellT>
+test::GridStateOf<CellT> upkeep(GridShape shape, std::vector<CellT> cells, Upkeep upkeep) {
+  const std::vector<uint32_t> was = placesById(arrange(shape, cells, upkeep));
+  test::GridStateOf<CellT> state;
+  state.cells = cells;
+  state.cellOf = placesById(cells);
+  for (size_t id = 0; id < was.size(); ++id) state.moved += was[id] != state.cellOf[id];
+  if (upkeep != Upkeep::transpose) describe(shape, state, partsOf(shape, keepsPacked(upkeep)));
+  return state;
+}
+
+template <class CellT>
+std::string difference(const test::GridStateOf<CellT>& expected, const test::GridStateOf<CellT>& actual) {
+  for (size_t i = 0; i < expected.cells.size(); ++i) {
+    const CellT &mine = expected.cells[i], &theirs = actual.cells[i];
+    if (mine.id != theirs.id) {
+      return "cell " + std::to_string(i) + " holds " + std::to_string(theirs.id) + " instead of " +
+             std::to_string(mine.id);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      if (along(mine, axis) != along(theirs, axis)) return "entity " + std::to_string(mine.id) + " has changed";
+    }
+    if constexpr (flat(CellT{})) {
+      if (mine.type != theirs.type) return "entity " + std::to_string(mine.id) + " has changed its type";
+    }
+  }
+  if (expected.cellOf != actual.cellOf) return "cellOf is not the inverse";
+  if (expected.moved != actual.moved) {
+    return std::to_string(actual.moved) + " moved instead of " + std::to_string(expected.moved);
+  }
+  if (expected.living != actual.living) return "the living are miscounted";
+  if (expected.low != actual.low || expected.high != actual.high) return "an interval of y is wrong";
+  if (expected.near != actual.near || expected.far != actual.far) return "an interval of z is wrong";
+  if (expected.reachLow != actual.reachLow || expected.reachHigh != actual.reachHigh) return "a reach is wrong";
+  if (expected.slabReachLow != actual.slabReachLow || expected.slabReachHigh != actual.slabReachHigh) {
+    return "a slab's reach is wrong";
+  }
+  return expected.starts == actual.starts ? "" : "an index is wrong";
+}
+
+template <class CellT>
+uint32_t misaligned(GridShape shape, const std::vector<CellT>& cells) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < cells.size(); ++i) {
+    bool behind = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int64_t last = predecessor(shape, i, axis);
+      behind |= last >= 0 && lives(cells[i]) && before(cells[i], cells[size_t(last)], axis);
+    }
+    count += behind;
+  }
+  return count;
+}
+
+template <class CellT>
+double meanStep(GridShape shape, const std::vector<CellT>& cells, int axis) {
+  double sum = 0;
+  uint32_t steps = 0;
+  for (uint32_t i = 0; i < cells.size(); ++i) {
+    const int64_t last = predecessor(shape, i, axis);
+    if (last < 0 || !lives(cells[i]) || !lives(cells[size_t(last)])) continue;
+    sum += std::fabs(double(along(cells[i], axis)) - double(along(cells[size_t(last)], axis)));
+    ++steps;
+  }
+  return steps ? sum / steps : 0.0;
+}
+
+template <class CellT>
+std::vector<uint32_t> windowNeighbours(GridShape shape, const std::vector<CellT>& arranged, uint32_t cell,
+                                       const uint32_t (&away)[3], float radius) {
+  const uint32_t cells[3] = {shape.columns, shape.rows, shape.slabs};
+  const Place at = placeOf(shape, cell);
+  uint32_t first[3], last[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    first[axis] = at.along[axis] - std::min(at.along[axis], away[axis]);
+    last[axis] = at.along[axis] + std::min(cells[axis] - 1 - at.along[axis], away[axis]);
+  }
+  return nearIn(shape, arranged, cell, first, last, radius);
+}
+
+template <class CellT>
+std::vector<uint32_t> adaptiveNeighbours(GridShape shape, const std::vector<CellT>& arranged, uint32_t cell,
+                                         float radius) {
+  const uint32_t cells[3] = {shape.columns, shape.rows, shape.slabs},
+                 stride[3] = {1, shape.columns, shape.columns * shape.rows};
+  const Place at = placeOf(shape, cell);
+  uint32_t first[3], last[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto close = [&](uint32_t k) {
+      const CellT& other = arranged[cell - at.along[axis] * stride[axis] + k * stride[axis]];
+      return std::fabs(along(other, axis) - along(arranged[cell], axis)) <= radius;
+    };
+    first[axis] = last[axis] = at.along[axis];
+    while (first[axis] > 0 && close(first[axis] - 1)) --first[axis];
+    while (last[axis] + 1 < cells[axis] && close(last[axis] + 1)) ++last[axis];
+  }
+  return nearIn(shape, arranged, cell, first, last, radius);
+}
+
+#define GW_INSTANTIATE(CellT)                                                                        \
+  template void sortAlong(std::vector<CellT>&, int);                                                 \
+  template test::GridStateOf<CellT> upkeep(GridShape, std::vector<CellT>, Upkeep);                   \
+  template std::string difference(const test::GridStateOf<CellT>&, const test::GridStateOf<CellT>&); \
+  template uint32_t misaligned(GridShape, const std::vector<CellT>&);                                \
+  template double meanStep(GridShape, const std::vector<CellT>&, int);                               \
+  template std::vector<uint32_t> windowNeighbours(GridShape, const std::vector<CellT>&, uint32_t,    \
+                                                  const uint32_t(&)[3], float);                      \
+  template std::vector<uint32_t> adaptiveNeighbours(GridShape, const std::vector<CellT>&, uint32_t, float);
+GW_INSTANTIATE(Cell)
+GW_INSTANTIATE(Cell3)
+#undef GW_INSTANTIATE
+
+}  // namespace gw::naive
