@@ -27,10 +27,13 @@ int main(int argc, char** argv) {
 #ifdef GW_HAVE_CUDA
   if (device == "cuda") runCrowd = gw::cuda::runCrowd;
 #else
-  if (device == "cuda") return std::fprintf(stderr, "This program was built without CUDA.\n"), 2;
+  if (device == "cuda") {
+    std::fprintf(stderr, "This program was built without CUDA; run it with cpu.\n");
+    return 2;
+  }
 #endif
   try {
-    const CrowdRun run = runCrowd(options, 2000, 200);
+    const CrowdRun run = runCrowd(options, 2000, 200);  // agents, steps
     std::printf("2000 agents, 200 steps on %s\n", device.c_str());
     print("before", run.before);
     print("after ", run.after);
