@@ -1,5 +1,5 @@
 # Enables CUDA when nvcc is found and sets GW_HAVE_CUDA. Never required: without nvcc the build has the
-# cpu device only, and says so.
+# cpu device only, and says so. Users of the installed library run it too.
 set(GW_HAVE_CUDA OFF)
 if(GW_CUDA)
   if(NOT DEFINED CMAKE_CUDA_COMPILER AND NOT DEFINED ENV{CUDACXX})
@@ -17,10 +17,6 @@ if(GW_CUDA)
     # CMake 3.25 does not know CUDA20; newer ones overwrite these with the same values.
     set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
     set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
-    set(CMAKE_CUDA_STANDARD 20)
-    set(CMAKE_CUDA_STANDARD_REQUIRED ON)
-    set(CMAKE_CUDA_EXTENSIONS OFF)
-    set(CMAKE_CUDA_RUNTIME_LIBRARY Static)
     find_package(CUDAToolkit REQUIRED)
     set(GW_HAVE_CUDA ON)
     message(STATUS "Devices: cuda (nvcc ${CMAKE_CUDA_COMPILER_VERSION}) and cpu")

@@ -1,36 +1,50 @@
-# The flags that keep the bits equal on every device, in one interface target that everything links.
-# No -ffast-math, no -Ofast, no contraction: see docs/determinism.md.
-add_library(gw_options INTERFACE)
-target_include_directories(gw_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_link_libraries(gw_options INTERFACE Threads::Threads)
+# The flags that keep the bits equal on every device, in one interface target that everything links, users of
+# the installed library included. No -ffast-math, no -Ofast, no contraction: see docs/determinism.md.
+add_library(gw_gpu_flags INTERFACE)
+target_include_directories(gw_gpu_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include>)
+target_link_libraries(gw_gpu_flags INTERFACE Threads::Threads)
+target_compile_features(gw_gpu_flags INTERFACE cxx_std_20)
 
-set(gw_host_flags -ffp-contract=off -fno-math-errno)
-# A player's newer compiler may warn about what ours does not: warnings, and stopping at them, are for
-# builds with tests.
+set(gw_exact_flags -ffp-contract=off -fno-math-errno)
+list(JOIN gw_exact_flags "," gw_exact_csv)
+set(gw_sanitize_flags "")
+if(GW_SANITIZE)
+  # Who links a sanitised library is sanitised too.
+  set(gw_sanitize_flags -fsanitize=${GW_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(gw_gpu_flags INTERFACE "$<$<LINK_LANGUAGE:CXX>:-fsanitize=${GW_SANITIZE}>")
+endif()
+target_compile_options(gw_gpu_flags INTERFACE
+  "$<$<COMPILE_LANGUAGE:CXX>:${gw_exact_flags};${gw_sanitize_flags}>"
+  "$<$<COMPILE_LANGUAGE:CUDA>:--fmad=false;--ftz=false;--prec-div=true;--prec-sqrt=true;-Xcompiler=${gw_exact_csv}>")
+
+# What this build adds for itself. A player's newer compiler may warn about what ours does not: warnings, and
+# stopping at them, are for builds with tests.
+add_library(gw_options INTERFACE)
+target_link_libraries(gw_options INTERFACE gw_gpu_flags)
+set(gw_own_flags "")
 if(GW_TESTS)
-  list(APPEND gw_host_flags -Wall -Wextra -Werror)
+  list(APPEND gw_own_flags -Wall -Wextra -Werror)
   # gcc 12 and later see overlapping copies in "text" + std::string (gcc bug 105651)...
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    list(APPEND gw_host_flags -Wno-restrict)
+    list(APPEND gw_own_flags -Wno-restrict)
     # ...and unset variables in their own AVX-512 headers.
     if(GW_NATIVE)
-      list(APPEND gw_host_flags -Wno-uninitialized -Wno-maybe-uninitialized)
+      list(APPEND gw_own_flags -Wno-uninitialized -Wno-maybe-uninitialized)
     endif()
   endif()
 endif()
 if(GW_NATIVE)
-  list(APPEND gw_host_flags -march=native)
+  list(APPEND gw_own_flags -march=native)
 endif()
-set(gw_sanitize_flags "")
+if(gw_own_flags)
+  list(JOIN gw_own_flags "," gw_own_csv)
+  target_compile_options(gw_options INTERFACE
+    "$<$<COMPILE_LANGUAGE:CXX>:${gw_own_flags}>" "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${gw_own_csv}>")
+endif()
 if(GW_SANITIZE)
   # Sanitised code is instrumented before gcc looks for unset variables, which it then sees everywhere:
   # warnings are for the other builds.
-  set(gw_sanitize_flags -w -fsanitize=${GW_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(gw_options INTERFACE "$<$<LINK_LANGUAGE:CXX>:-fsanitize=${GW_SANITIZE}>")
+  target_compile_options(gw_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:-w>")
 endif()
-list(JOIN gw_host_flags "," gw_host_csv)
-target_compile_options(gw_options INTERFACE
-  "$<$<COMPILE_LANGUAGE:CXX>:${gw_host_flags};${gw_sanitize_flags}>"
-  "$<$<COMPILE_LANGUAGE:CUDA>:--fmad=false;--ftz=false;--prec-div=true;--prec-sqrt=true;-Xcompiler=${gw_host_csv}>")
 
 include(static_pack)

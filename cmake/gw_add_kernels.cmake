@@ -1,8 +1,9 @@
 # gw_add_kernels(name a.cu b.cu ... [LINK libraries])
 #
 # Compiles each .cu twice: as C++ into <name>_cpu (namespace gw::cpu) and, when CUDA is on, as CUDA into
-# <name>_cuda (namespace gw::cuda). <name> links both. The C++ side goes through a generated one-line
-# .cpp, because one file cannot have two LANGUAGEs in one folder: both targets silently become C++.
+# <name>_cuda (namespace gw::cuda). <name> links both, and defines GW_HAVE_CUDA for who links it when there are two.
+# The C++ side goes through a generated one-line .cpp, because one file cannot have two LANGUAGEs in one folder: both
+# targets silently become C++. Installed with the library: there it links gpuwars::gpu by itself.
 function(gw_add_kernels name)
   cmake_parse_arguments(A "" "" "LINK" ${ARGN})
   set(stubs)
@@ -13,18 +14,25 @@ function(gw_add_kernels name)
     endif()
     list(APPEND stubs ${stub})
   endforeach()
+  if(TARGET gpuwars::gpu)
+    set(common gpuwars::gpu)
+  else()
+    set(common gw_gpu_flags $<BUILD_INTERFACE:gw_options>)
+  endif()
 
   add_library(${name}_cpu STATIC ${stubs})
   target_compile_definitions(${name}_cpu PRIVATE GW_DEVICE=cpu)
-  target_link_libraries(${name}_cpu PUBLIC gw_options ${A_LINK})
+  target_link_libraries(${name}_cpu PUBLIC ${common} ${A_LINK})
 
   add_library(${name} INTERFACE)
   target_link_libraries(${name} INTERFACE ${name}_cpu)
 
   if(GW_HAVE_CUDA)
     add_library(${name}_cuda STATIC ${A_UNPARSED_ARGUMENTS})
+    set_target_properties(${name}_cuda PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF
+      CUDA_RUNTIME_LIBRARY Static)
     target_compile_definitions(${name}_cuda PRIVATE GW_DEVICE=cuda)
-    target_link_libraries(${name}_cuda PUBLIC gw_options ${A_LINK} CUDA::cudart_static)
+    target_link_libraries(${name}_cuda PUBLIC ${common} ${A_LINK} CUDA::cudart_static)
     target_link_libraries(${name} INTERFACE ${name}_cuda)
     target_compile_definitions(${name} INTERFACE GW_HAVE_CUDA=1)
   endif()

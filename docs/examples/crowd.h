@@ -1,0 +1,24 @@
+// What crowd_main.cpp sees of crowd.cu: the same function, once per device.
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/exec_options.h"
+
+struct CrowdReport {
+  uint64_t hash;                 // of where everybody stands
+  float closest_m, loneliest_m;  // the smallest and the largest distance from anybody to the nearest other
+};
+
+struct CrowdRun {
+  CrowdReport before, after;
+};
+
+namespace gw::cpu {
+CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps);
+}
+#ifdef GW_HAVE_CUDA  // gw_add_kernels() defines it
+namespace gw::cuda {
+CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps);
+}
+#endif
