@@ -9,6 +9,10 @@
 #error "Kernel code needs GW_DEVICE (cpu or cuda): add the file through gw_add_kernels() in CMake."
 #endif
 
+#ifdef __FAST_MATH__
+#error "Results are bit for bit the same everywhere only without -ffast-math; leave that flag out."
+#endif
+
 #if defined(__CUDACC__)
 #define GW_ON_CUDA 1
 #define GW_FN __host__ __device__ inline  // arithmetic that host code of the same device may call too

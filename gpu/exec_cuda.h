@@ -14,7 +14,7 @@ inline void check(cudaError_t error, const char* what) {
   if (error == cudaSuccess) return;
   cudaGetLastError();  // forget it: whoever catches this and goes on must not meet it again
   throw DeviceError(std::string("CUDA failed at ") + what + ": " + cudaGetErrorString(error) +
-                    "; run with --device cpu.");
+                    "; use the cpu device instead (in the game: --device cpu).");
 }
 
 class Queue {

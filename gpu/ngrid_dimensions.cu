@@ -12,7 +12,20 @@ namespace gw::GW_DEVICE {
 namespace {
 
 // Fitted: meeting one more row costs a search as much as this many more tests (docs/ngrid-performance.md).
-const double kRowCost = getenv("ROWCOST") ? atof(getenv("ROWCOST")) : 25.0;
+constexpr double kRowCost = 25.0;
+
+double smallerOf(double a, double b) {
+  return b < a ? b : a;
+}
+
+// The library's may differ between machines, and dimensions that windows go by are part of a game. Newton's steps come
+// from above, so they end when they no longer fall.
+double cubeRoot(double volume) {
+  const auto step = [&](double root) { return (2.0 * root + volume / (root * root)) / 3.0; };
+  double root = volume > 1.0 ? volume : 1.0;
+  for (double next = step(root); next < root; next = step(root)) root = next;
+  return root;
+}
 
 uint32_t divideUp(uint32_t n, uint32_t by) {
   return n / by + (n % by ? 1 : 0);
@@ -39,10 +52,10 @@ int checkedAxes(uint32_t n, Float3 size) {
 // What a search of `radius` is expected to cost in this box, in tests.
 double expectedCost(NDimensions d, Float3 size, float radius) {
   const auto met = [&](float along, uint32_t lines) {
-    return std::fmin(2.0 * double(radius) * lines / double(along) + 1.0, double(lines));
+    return smallerOf(2.0 * double(radius) * lines / double(along) + 1.0, double(lines));
   };
   const double rows = met(size.y, d.rows) * (size.z > 0.0f ? met(size.z, d.slabs) : 1.0);
-  return rows * (kRowCost + std::fmin(2.0 * double(radius) / double(size.x), 1.0) * d.columns);
+  return rows * (kRowCost + smallerOf(2.0 * double(radius) / double(size.x), 1.0) * d.columns);
 }
 
 }  // namespace
@@ -94,7 +107,7 @@ NDimensions chooseWindowDimensions(uint32_t n, Float3 size) {
     if (columns > kLongestLine) refuse(n, uint64_t(kLongestLine) * kLongestLine);
     return {columns, divideUp(n, columns)};
   }
-  const double apart = std::cbrt(x * y * z / double(n));
+  const double apart = cubeRoot(x * y * z / double(n));
   const uint32_t columns = fitting(x / apart + 0.5, divideUp(n, kLongestLine * kLongestLine));
   const uint32_t rows = fitting(y / apart + 0.5, divideUp(divideUp(n, columns), kLongestLine));
   const NDimensions found{columns, rows, divideUp(divideUp(n, columns), rows)};

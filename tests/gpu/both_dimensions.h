@@ -21,6 +21,7 @@ struct In<Cell> {
   static auto upkeep(const Probes& device) { return device.upkeep; }
   static auto report(const Probes& device) { return device.report; }
   static auto around(const Probes& device) { return device.gatherAround; }
+  static auto lists(const Probes& device) { return device.lists; }
   static float along(const Cell& cell, int axis) { return axis == 0 ? cell.x : axis == 1 ? cell.y : 0.0f; }
 };
 
@@ -35,6 +36,7 @@ struct In<Cell3> {
   static auto upkeep(const Probes& device) { return device.upkeep3; }
   static auto report(const Probes& device) { return device.report3; }
   static auto around(const Probes& device) { return device.gatherAround3; }
+  static auto lists(const Probes& device) { return device.lists3; }
   static float along(const Cell3& cell, int axis) { return axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z; }
 };
 

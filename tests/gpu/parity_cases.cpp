@@ -299,6 +299,20 @@ std::vector<ParityCase> makeCases() {
       [](const Probes& device, Options options) { return gathersAround(device, options, Around::packedRows); });
   add("AroundByBruteForce",
       [](const Probes& device, Options options) { return gathersAround(device, options, Around::bruteForce); });
+  add("NeighbourLists", [](const Probes& device, Options options) {
+    Words words;
+    for (uint32_t layout = 0; layout < kLayouts; ++layout) {
+      for (const Method method : {Method::rows, Method::packedRows, Method::grid}) {
+        const CellSpec spec{Layout(layout), {31, 14}, 15, layout}, deep{Layout(layout), {11, 8, 6}, 15, layout};
+        for (const Lists& lists : {device.lists(options, spec.shape, makeCells(spec), 4.0f, method),
+                                   device.lists3(options, deep.shape, makeCells3(deep), 9.0f, method)}) {
+          append(words, lists.begin);
+          append(words, lists.neighbours);
+        }
+      }
+    }
+    return words;
+  });
   add("FixedGather",
       [](const Probes& device, Options options) { return gathersAround(device, options, Around::fixedWindow); });
   add("AdaptiveGather",

@@ -2,6 +2,7 @@
 
 #include "gpu/brute_force.h"
 #include "gpu/hashed_grid.h"
+#include "gpu/neighbour_lists.h"
 #include "gpu/row_gather.h"
 #include "gpu/uniform_grid.h"
 #include "gpu/window_gather.h"
@@ -303,6 +304,19 @@ test::Gathered gatherAround(const ExecOptions& options, test::GridShape shape, c
   return result;
 }
 
+template <class CellT>
+test::Lists lists(const ExecOptions& options, test::GridShape shape, const std::vector<CellT>& start, float radius,
+                  test::Method method) {
+  Queue queue(options);
+  Searched<CellT> searched(queue, start);
+  const uint32_t n = shape.cells();
+  NeighbourLists lists(queue, n, n * n);
+  const auto build = [&](const auto& search) { lists.build(queue, search, searched.cells.data(), radius); };
+  askRightly(searched, build, shape, method);
+  countLaunches(6);
+  return {downloaded(queue, lists.begin(), n + 1), downloaded(queue, lists.neighbours(), lists.total())};
+}
+
 }  // namespace
 
 void addGatherProbes(test::Probes& probes) {
@@ -312,6 +326,8 @@ void addGatherProbes(test::Probes& probes) {
   probes.hashCells = hashCells;
   probes.gatherAround = gatherAround<Cell>;
   probes.gatherAround3 = gatherAround<Cell3>;
+  probes.lists = lists<Cell>;
+  probes.lists3 = lists<Cell3>;
 }
 
 }  // namespace gw::GW_DEVICE

@@ -90,6 +90,11 @@ struct Gathered {
   std::vector<uint32_t> tested;  // [query] pair tests
 };
 
+// NeighbourLists.
+struct Lists {
+  std::vector<uint32_t> begin, neighbours;
+};
+
 struct Probes {
   // Visits per item, of capacity + 1024 items, when `live` (if any: used as the device-side count) are to run.
   std::vector<uint32_t> (*countVisits)(const ExecOptions&, uint32_t capacity, const uint32_t* live);
@@ -131,6 +136,9 @@ struct Probes {
   Gathered (*gatherAround)(const ExecOptions&, GridShape, const std::vector<Cell>&, float radius, Around);
   // The same in three dimensions. No methods with a mistake.
   Gathered (*gather3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, const std::vector<Query3>&, Method);
+  // Methods: rows, packedRows, bruteForce, grid, hashedGrid.
+  Lists (*lists)(const ExecOptions&, GridShape, const std::vector<Cell>&, float radius, Method);
+  Lists (*lists3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, float radius, Method);
   Gathered (*gatherAround3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, float radius, Around);
 };
 
