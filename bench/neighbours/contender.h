@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ class Contender {
   virtual void synchronise() = 0;                          // waits until all that was asked for is done
   virtual std::vector<uint32_t> counts() = 0;              // by id, of the last gather(); each counts itself
   virtual uint64_t candidates() = 0;                       // pair tests of one gather
-  virtual size_t bytes() const = 0;                        // of memory beyond the array of entities
+  // How many entities stand before their predecessor on a line of the structure; none where there are no lines.
+  virtual std::optional<uint32_t> misaligned() { return {}; }
+  virtual size_t bytes() const = 0;  // of memory beyond the array of entities
 };
 
 // What all structures may know beforehand: where everybody stays, and how far they look.
@@ -37,6 +40,7 @@ struct Way {
   // So slow that large crowds are left out: the most entities it is given.
   uint32_t most;
 };
+inline constexpr uint32_t kAny = ~0u, kSlow = 1u << 16;
 
 }  // namespace gw::bench
 

@@ -8,6 +8,7 @@
 // exact way; a run fails when two exact ways disagree about anybody.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -41,6 +42,7 @@ struct Entrant {
   std::unique_ptr<Contender<CellT>> contender;
   double build_ms = 0.0;
   std::vector<double> maintain_ms{}, gather_ms{}, total_ms{};
+  std::vector<double> misaligned{};  // shares of the entities, in the frames that were looked at
   uint64_t found = 0, missed = 0;
 };
 
@@ -55,6 +57,10 @@ std::unique_ptr<Contender<Cell>> make(const Cell*, size_t way, const ExecOptions
 }
 std::unique_ptr<Contender<Cell3>> make(const Cell3*, size_t way, const ExecOptions& o, const Place& p, uint32_t n) {
   return cpu::makeContender3(way, o, p, n);
+}
+
+double mean(const std::vector<double>& values) {  // NaN of none
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
 // The median, over ten stretches of frames, of the mean of a stretch: a median of frames would leave out what is done
@@ -127,12 +133,17 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
     // Another goes first in each frame: the first finds the workers asleep.
     for (size_t turn = 0; turn < entrants.size(); ++turn) {
       Entrant<CellT>& e = entrants[(frame + turn) % entrants.size()];
-      if (e.way.most < ~0u && frame % 10 != 0) continue;  // the slowest only now and then
+      if (e.way.most < kAny && frame % 10 != 0) continue;  // the slowest only now and then
       playFrame(e, crowd.byId);
     }
-    if (frame % 10 != 0) continue;
+    const bool last = frame + 1 == frames;
+    if (frame % 10 != 0 && !last) continue;
     const std::vector<uint32_t> truth = entrants[0].contender->counts();
-    for (Entrant<CellT>& e : entrants) compare(e, truth);
+    for (Entrant<CellT>& e : entrants) {
+      if (frame % 10 != 0 && e.way.most < kAny) continue;
+      compare(e, truth);
+      if (const auto misaligned = e.contender->misaligned()) e.misaligned.push_back(*misaligned / double(n));
+    }
   }
   const double best = typical(entrants[0].total_ms);
   for (Entrant<CellT>& e : entrants) {
@@ -140,7 +151,7 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
                     typical(e.maintain_ms), typical(e.gather_ms), typical(e.total_ms), best,
                     double(e.contender->candidates()) / double(n),
                     e.found + e.missed ? double(e.found) / double(e.found + e.missed) : 1.0, e.missed,
-                    e.contender->bytes()});
+                    e.contender->bytes(), mean(e.misaligned), e.misaligned.empty() ? NAN : e.misaligned.back()});
     std::fprintf(stderr, "%uD %u %s %g %s: %.3f ms, %.2f of the grid's\n", dimensions, n,
                  kDistributions[int(distribution)], double(motion), e.way.name, rows.back().total,
                  rows.back().total / best);

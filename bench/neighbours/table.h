@@ -20,6 +20,9 @@ struct Row {
   double recall;       // pairs found of those that brute force would find
   uint64_t missed;     // pairs, over all measured frames
   size_t bytes;        // beyond the entities
+  // Shares of the entities that stood before their predecessor on a line after upkeep: in the frames that were looked
+  // at on average, and in the last one. NaN where there are no lines.
+  double misalignedMean, misalignedLast;
 };
 
 void writeCsv(std::ostream& out, const std::vector<Row>& rows);
