@@ -1,6 +1,7 @@
 // What the bench asks of a way to find neighbours, on whatever device. All are handed the same places.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -41,6 +42,13 @@ struct Way {
   uint32_t most;
 };
 inline constexpr uint32_t kAny = ~0u, kSlow = 1u << 16;
+
+// Whether its name holds one of `only`; all are asked when that is empty.
+inline bool isAsked(const Way& way, const std::vector<std::string>& only) {
+  return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& part) {
+           return std::string(way.name).find(part) != std::string::npos;
+         });
+}
 
 }  // namespace gw::bench
 

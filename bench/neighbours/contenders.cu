@@ -44,15 +44,6 @@ struct CountTests {
   }
 };
 
-// One item: one entity's new place, wherever its cell is.
-template <class CellT>
-struct MoveTo {
-  CellT* cells;
-  const uint32_t* cellOf;
-  const CellT* byId;
-  GW_BODY void operator()(uint32_t id) const { cells[cellOf[id]] = byId[id]; }
-};
-
 // What the ways have in common: the cells, in as many as the structure wants, the rest dead.
 template <class CellT, class Structure>
 class Searcher : public bench::Contender<CellT> {
@@ -78,7 +69,7 @@ class Searcher : public bench::Contender<CellT> {
   }
   void move(const std::vector<CellT>& byId) override {
     byId_.upload(byId);
-    forEach(queue_, Count{entities_}, MoveTo<CellT>{cells_.data(), cellOf_.data(), byId_.data()});
+    forEach(queue_, Count{entities_}, ways::MoveTo<CellT>{cells_.data(), cellOf_.data(), byId_.data()});
     queue_.synchronise();
   }
   void maintain() override { structure_.maintain(queue_, cells_.data(), cellOf_.data()); }

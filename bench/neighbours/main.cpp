@@ -13,13 +13,13 @@
 #include <fstream>
 #include <iostream>
 #include <numeric>
-#include <sstream>
 
 #include "bench/machine.h"
 #include "bench/neighbours/contender.h"
 #include "bench/neighbours/crowd.h"
 #include "bench/neighbours/outsiders.h"
 #include "bench/neighbours/table.h"
+#include "bench/neighbours/walk.h"
 #include "bench/scenes.h"
 
 namespace {
@@ -32,7 +32,7 @@ struct Wanted {
   std::vector<std::string> distributions{"uniform", "swarm"}, only;
   std::vector<float> motions{0.1f};
   std::vector<uint32_t> dimensions{2};
-  uint32_t frames = 100, threads = 0;
+  uint32_t frames = 100, threads = 0, crowdSteps = 0;
   std::string out, csv;
 };
 
@@ -116,11 +116,8 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
   for (const Way& way : outsiders()) ways.push_back(way);
   std::vector<Entrant<CellT>> entrants;
   for (size_t w = 0; w < ways.size(); ++w) {
-    const bool asked =
-        wanted.only.empty() || std::any_of(wanted.only.begin(), wanted.only.end(), [&](const std::string& part) {
-          return std::string(ways[w].name).find(part) != std::string::npos;
-        });
-    if (n > ways[w].most || (w > 0 && !asked)) continue;  // the first is what the others are compared with
+    if (n > ways[w].most || (w > 0 && !isAsked(ways[w], wanted.only)))
+      continue;  // the first is what the others are compared with
     const ExecOptions options{wanted.threads};
     Entrant<CellT> e{ways[w], w < own ? make(static_cast<CellT*>(nullptr), w, options, place, n)
                                       : makeOutsider<CellT>(w - own, options, place, n)};
@@ -164,6 +161,22 @@ Distribution named(const std::string& name) {
   return Distribution(found - std::begin(kDistributions));
 }
 
+// Writes to the terminal and to the files asked for.
+template <class AnyRow>
+void report(const Wanted& wanted, const std::vector<AnyRow>& rows, const std::string& title, const std::string& what) {
+  const std::string heading = "# " + title + "\n\n" + machineLine() + "\n\n" + what + "; " +
+                              std::to_string(wanted.threads) + " threads (0: all); `gw_bench_neighbours`.\n";
+  writeMarkdown(std::cout, rows, heading);
+  const auto write = [&](const std::string& path, const auto& content) {
+    if (path.empty()) return;
+    std::ofstream file(path);
+    content(file);
+    if (!file.flush()) throw std::runtime_error("Could not write " + path + "; name a folder that can be written.");
+  };
+  write(wanted.out, [&](std::ostream& file) { writeMarkdown(file, rows, heading); });
+  write(wanted.csv, [&](std::ostream& file) { writeCsv(file, rows); });
+}
+
 void measure(const Wanted& wanted) {
   std::vector<Row> rows;
   for (const uint32_t d : wanted.dimensions) {
@@ -179,19 +192,21 @@ void measure(const Wanted& wanted) {
       }
     }
   }
-  std::ostringstream heading;
-  heading << "# Neighbours\n\n"
-          << machineLine() << "\n\nAt most " << wanted.frames << " frames; medians; " << wanted.threads
-          << " threads (0: all); `gw_bench_neighbours`.\n";
-  writeMarkdown(std::cout, rows, heading.str());
-  const auto write = [&](const std::string& path, const auto& content) {
-    if (path.empty()) return;
-    std::ofstream file(path);
-    content(file);
-    if (!file.flush()) throw std::runtime_error("Could not write " + path + "; name a folder that can be written.");
-  };
-  write(wanted.out, [&](std::ostream& file) { writeMarkdown(file, rows, heading.str()); });
-  write(wanted.csv, [&](std::ostream& file) { writeCsv(file, rows); });
+  report(wanted, rows, "Neighbours", "At most " + std::to_string(wanted.frames) + " frames; medians");
+}
+
+void walkAll(const Wanted& wanted) {
+  std::vector<WalkRow> rows;
+  for (const uint32_t d : wanted.dimensions) {
+    for (const uint32_t n : wanted.entities) {
+      for (const std::string& name : wanted.distributions) {
+        const auto walkOne = d == 3 ? walk<Cell3> : walk<Cell>;
+        walkOne(n, named(name), wanted.crowdSteps, wanted.threads, wanted.only, rows);
+      }
+    }
+  }
+  report(wanted, rows, "A crowd that walks",
+         std::to_string(wanted.crowdSteps) + " steps, all ways in turns; medians; mean distance from the exact walk");
 }
 
 }  // namespace
@@ -206,11 +221,13 @@ int main(int argc, char** argv) {
   app.add_option("--only", wanted.only, "ways whose names hold one of these")->delimiter(';');
   app.add_option("--frames", wanted.frames)->check(CLI::Range(3, 100000));
   app.add_option("--threads", wanted.threads)->check(CLI::Range(0, 256));
+  app.add_option("--crowd-steps", wanted.crowdSteps, "instead: walk a crowd so many steps by every way, compare places")
+      ->check(CLI::Range(0, 1000000));
   app.add_option("--out", wanted.out);
   app.add_option("--csv", wanted.csv);
   CLI11_PARSE(app, argc, argv);
   try {
-    measure(wanted);
+    wanted.crowdSteps > 0 ? walkAll(wanted) : measure(wanted);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -148,6 +148,15 @@ void forEachWay(const Each& each) {
   each(Way{"brute force", true, kSlow}, Brute<CellT>());
 }
 
+// One item: one entity's new place, wherever its cell is.
+template <class CellT>
+struct MoveTo {
+  CellT* cells;
+  const uint32_t* cellOf;
+  const CellT* byId;
+  GW_BODY void operator()(uint32_t id) const { cells[cellOf[id]] = byId[id]; }
+};
+
 // The entities in the first cells, the rest dead.
 template <class CellT>
 void fill(Buffer<CellT>& cells, Buffer<uint32_t>& cellOf, const std::vector<CellT>& byId) {
