@@ -33,6 +33,7 @@ struct Wanted {
   std::vector<float> motions{0.1f};
   std::vector<uint32_t> dimensions{2};
   uint32_t frames = 100, threads = 0, crowdSteps = 0;
+  double seconds = 180.0;  // for the frames of one crowd
   std::string out, csv;
 };
 
@@ -74,6 +75,11 @@ double typical(const std::vector<double>& frames_ms) {
     means.push_back(std::accumulate(begin, end, 0.0) / double(end - begin));
   }
   return median(means);
+}
+
+// The slowest ways are, only now and then.
+bool isPlayed(const Way& way, uint32_t frame) {
+  return way.most == kAny || frame % 10 == 0;
 }
 
 template <class CellT>
@@ -125,19 +131,22 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
     entrants.push_back(std::move(e));
   }
   const uint32_t frames = std::max(3u, std::min(wanted.frames, uint32_t(100.0 * 65536.0 / double(n))));
-  for (uint32_t frame = 0; frame < frames; ++frame) {
+  double passed_ms = 0.0;
+  bool last = false;
+  for (uint32_t frame = 0; !last; ++frame) {
     crowd.step(motion);
-    // Another goes first in each frame: the first finds the workers asleep.
-    for (size_t turn = 0; turn < entrants.size(); ++turn) {
-      Entrant<CellT>& e = entrants[(frame + turn) % entrants.size()];
-      if (e.way.most < kAny && frame % 10 != 0) continue;  // the slowest only now and then
-      playFrame(e, crowd.byId);
-    }
-    const bool last = frame + 1 == frames;
+    passed_ms += milliseconds([&] {
+      // Another goes first in each frame: the first finds the workers asleep.
+      for (size_t turn = 0; turn < entrants.size(); ++turn) {
+        Entrant<CellT>& e = entrants[(frame + turn) % entrants.size()];
+        if (isPlayed(e.way, frame)) playFrame(e, crowd.byId);
+      }
+    });
+    last = frame + 1 == frames || (frame + 1 >= 3 && passed_ms > wanted.seconds * 1000.0);
     if (frame % 10 != 0 && !last) continue;
     const std::vector<uint32_t> truth = entrants[0].contender->counts();
     for (Entrant<CellT>& e : entrants) {
-      if (frame % 10 != 0 && e.way.most < kAny) continue;
+      if (!isPlayed(e.way, frame)) continue;
       compare(e, truth);
       if (const auto misaligned = e.contender->misaligned()) e.misaligned.push_back(*misaligned / double(n));
     }
@@ -219,6 +228,8 @@ int main(int argc, char** argv) {
   app.add_option("--motion", wanted.motions, "radii per frame")->delimiter(',')->check(CLI::Range(0.0, 10.0));
   app.add_option("--dimensions", wanted.dimensions)->delimiter(',')->check(CLI::Range(2, 3));
   app.add_option("--only", wanted.only, "ways whose names hold one of these")->delimiter(';');
+  app.add_option("--seconds", wanted.seconds, "for one crowd: fewer frames, but at least 3, when they take longer")
+      ->check(CLI::Range(0.0, 1e6));
   app.add_option("--frames", wanted.frames)->check(CLI::Range(3, 100000));
   app.add_option("--threads", wanted.threads)->check(CLI::Range(0, 256));
   app.add_option("--crowd-steps", wanted.crowdSteps, "instead: walk a crowd so many steps by every way, compare places")
