@@ -21,9 +21,11 @@ class Contender {
   virtual void move(const std::vector<CellT>& byId) = 0;   // new places; not timed
   virtual void maintain() = 0;                             // upkeep after motion
   virtual void gather() = 0;                               // counts everybody's neighbours
-  virtual void synchronise() = 0;                          // waits until all that was asked for is done
-  virtual std::vector<uint32_t> counts() = 0;              // by id, of the last gather(); each counts itself
-  virtual uint64_t candidates() = 0;                       // pair tests of one gather
+  // Searches for one in so many only: to see how long gather() would take. Nothing where that is never too long.
+  virtual void probe(uint32_t /*every*/) {}
+  virtual void synchronise() = 0;              // waits until all that was asked for is done
+  virtual std::vector<uint32_t> counts() = 0;  // by id, of the last gather(); each counts itself
+  virtual uint64_t candidates() = 0;           // pair tests of one gather
   // How many entities stand before their predecessor on a line of the structure; none where there are no lines.
   virtual std::optional<uint32_t> misaligned() { return {}; }
   virtual size_t bytes() const = 0;  // of memory beyond the array of entities

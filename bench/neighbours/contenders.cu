@@ -29,15 +29,17 @@ struct CountNeighbours {
   }
 };
 
-// One item: one cell; how many pairs it tests for that.
+// One item: one cell, the next is some further on; how many pairs it tests for that.
 template <class CellT, class Search>
 struct CountTests {
   uint64_t* tests;
   const CellT* cells;
   Search search;
   float radius;
+  uint32_t toNext;
 
-  GW_BODY void operator()(uint32_t i) const {
+  GW_BODY void operator()(uint32_t item) const {
+    const uint32_t i = item * toNext;
     const CellT self = cells[i];
     tests[i] =
         isLiving(self.x) ? search.around(i, placeOf(self), radius, [](const CellT&, uint32_t, PlaceOf<CellT>) {}) : 0;
@@ -81,11 +83,9 @@ class Searcher : public bench::Contender<CellT> {
   }
   void synchronise() override { queue_.synchronise(); }
   std::vector<uint32_t> counts() override { return counts_.download(); }
+  void probe(uint32_t every) override { countTests(every); }
   uint64_t candidates() override {
-    withSearch([&](auto search) {
-      forEach(queue_, Count{capacity_},
-              CountTests<CellT, decltype(search)>{tests_.data(), cells_.data(), search, radius_});
-    });
+    countTests(1);
     sum_.run(queue_, tests_.data(), total_.data());
     return total_.download()[0];
   }
@@ -96,6 +96,13 @@ class Searcher : public bench::Contender<CellT> {
   template <class Launch>
   void withSearch(const Launch& launch) {
     launch(structure_.search(cells_.data()));
+  }
+
+  void countTests(uint32_t every) {
+    withSearch([&](auto search) {
+      forEach(queue_, Count{capacity_ / every},
+              CountTests<CellT, decltype(search)>{tests_.data(), cells_.data(), search, radius_, every});
+    });
   }
 
   Queue queue_;

@@ -77,6 +77,17 @@ double typical(const std::vector<double>& frames_ms) {
   return median(means);
 }
 
+// From a sample.
+template <class CellT>
+double expectedGather_s(Contender<CellT>& contender, uint32_t n) {
+  constexpr uint32_t kEvery = 64;
+  if (n < 16 * kEvery) return 0.0;  // never long
+  return kEvery * 1e-3 * milliseconds([&] {
+           contender.probe(kEvery);
+           contender.synchronise();
+         });
+}
+
 // The slowest ways are, only now and then.
 bool isPlayed(const Way& way, uint32_t frame) {
   return way.most == kAny || frame % 10 == 0;
@@ -121,6 +132,7 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
   const size_t own = ways.size();
   for (const Way& way : outsiders()) ways.push_back(way);
   std::vector<Entrant<CellT>> entrants;
+  std::string leftOut;
   for (size_t w = 0; w < ways.size(); ++w) {
     if (n > ways[w].most || (w > 0 && !isAsked(ways[w], wanted.only)))
       continue;  // the first is what the others are compared with
@@ -128,6 +140,14 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
     Entrant<CellT> e{ways[w], w < own ? make(static_cast<CellT*>(nullptr), w, options, place, n)
                                       : makeOutsider<CellT>(w - own, options, place, n)};
     e.build_ms = milliseconds([&] { e.contender->start(crowd.byId); });
+    const double frame_s = w > 0 ? expectedGather_s(*e.contender, n) : 0.0;
+    if (frame_s > wanted.seconds / 10.0) {
+      std::fprintf(stderr, "%uD %u %s %g %s: left out, a frame would take about %.0f s\n", dimensions, n,
+                   kDistributions[int(distribution)], double(motion), e.way.name, frame_s);
+      leftOut += (leftOut.empty() ? "Left out: " : ", ") + std::string(e.way.name) + " (a frame would take about " +
+                 std::to_string(int(frame_s)) + " s)";
+      continue;
+    }
     entrants.push_back(std::move(e));
   }
   const uint32_t frames = std::max(3u, std::min(wanted.frames, uint32_t(100.0 * 65536.0 / double(n))));
@@ -153,15 +173,30 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
   }
   const double best = typical(entrants[0].total_ms);
   for (Entrant<CellT>& e : entrants) {
-    rows.push_back({dimensions, n, kDistributions[int(distribution)], motion, e.way.name, crowd.neighbours, e.build_ms,
-                    typical(e.maintain_ms), typical(e.gather_ms), typical(e.total_ms), best,
-                    double(e.contender->candidates()) / double(n),
-                    e.found + e.missed ? double(e.found) / double(e.found + e.missed) : 1.0, e.missed,
-                    e.contender->bytes(), mean(e.misaligned), e.misaligned.empty() ? NAN : e.misaligned.back()});
+    rows.push_back({.dimensions = dimensions,
+                    .entities = n,
+                    .distribution = kDistributions[int(distribution)],
+                    .motion = motion,
+                    .way = e.way.name,
+                    .exact = e.way.exact,
+                    .neighbours = crowd.neighbours,
+                    .build_ms = e.build_ms,
+                    .maintain_ms = typical(e.maintain_ms),
+                    .gather_ms = typical(e.gather_ms),
+                    .total = typical(e.total_ms),
+                    .best = best,
+                    .candidates = double(e.contender->candidates()) / double(n),
+                    .recall = e.found + e.missed ? double(e.found) / double(e.found + e.missed) : 1.0,
+                    .missed = e.missed,
+                    .bytes = e.contender->bytes(),
+                    .misalignedMean = mean(e.misaligned),
+                    .misalignedLast = e.misaligned.empty() ? NAN : e.misaligned.back(),
+                    .note = {}});
     std::fprintf(stderr, "%uD %u %s %g %s: %.3f ms, %.2f of the grid's\n", dimensions, n,
                  kDistributions[int(distribution)], double(motion), e.way.name, rows.back().total,
                  rows.back().total / best);
   }
+  rows.back().note = leftOut;
 }
 
 Distribution named(const std::string& name) {
@@ -170,12 +205,9 @@ Distribution named(const std::string& name) {
   return Distribution(found - std::begin(kDistributions));
 }
 
-// Writes to the terminal and to the files asked for.
+// Writes to the files asked for. Done after each crowd: what a long run has measured is not lost when it ends early.
 template <class AnyRow>
-void report(const Wanted& wanted, const std::vector<AnyRow>& rows, const std::string& title, const std::string& what) {
-  const std::string heading = "# " + title + "\n\n" + machineLine() + "\n\n" + what + "; " +
-                              std::to_string(wanted.threads) + " threads (0: all); `gw_bench_neighbours`.\n";
-  writeMarkdown(std::cout, rows, heading);
+void save(const Wanted& wanted, const std::vector<AnyRow>& rows, const std::string& heading) {
   const auto write = [&](const std::string& path, const auto& content) {
     if (path.empty()) return;
     std::ofstream file(path);
@@ -186,36 +218,44 @@ void report(const Wanted& wanted, const std::vector<AnyRow>& rows, const std::st
   write(wanted.csv, [&](std::ostream& file) { writeCsv(file, rows); });
 }
 
+std::string headingOf(const Wanted& wanted, const std::string& title, const std::string& what) {
+  return "# " + title + "\n\n" + machineLine() + "\n\n" + what + "; " + std::to_string(wanted.threads) +
+         " threads (0: all); `gw_bench_neighbours`.\n";
+}
+
 void measure(const Wanted& wanted) {
+  const std::string heading =
+      headingOf(wanted, "Neighbours", "At most " + std::to_string(wanted.frames) + " frames; medians");
   std::vector<Row> rows;
   for (const uint32_t d : wanted.dimensions) {
     for (const uint32_t n : wanted.entities) {
       for (const std::string& name : wanted.distributions) {
         for (const float motion : wanted.motions) {
-          if (d == 3) {
-            run<Cell3>(wanted, d, n, named(name), motion, rows);
-          } else {
-            run<Cell>(wanted, d, n, named(name), motion, rows);
-          }
+          const auto runOne = d == 3 ? run<Cell3> : run<Cell>;
+          runOne(wanted, d, n, named(name), motion, rows);
+          save(wanted, rows, heading);
         }
       }
     }
   }
-  report(wanted, rows, "Neighbours", "At most " + std::to_string(wanted.frames) + " frames; medians");
+  writeMarkdown(std::cout, rows, heading);
 }
 
 void walkAll(const Wanted& wanted) {
+  const std::string heading = headingOf(
+      wanted, "A crowd that walks",
+      std::to_string(wanted.crowdSteps) + " steps, all ways in turns; medians; mean distance from the exact walk");
   std::vector<WalkRow> rows;
   for (const uint32_t d : wanted.dimensions) {
     for (const uint32_t n : wanted.entities) {
       for (const std::string& name : wanted.distributions) {
         const auto walkOne = d == 3 ? walk<Cell3> : walk<Cell>;
         walkOne(n, named(name), wanted.crowdSteps, wanted.threads, wanted.only, rows);
+        save(wanted, rows, heading);
       }
     }
   }
-  report(wanted, rows, "A crowd that walks",
-         std::to_string(wanted.crowdSteps) + " steps, all ways in turns; medians; mean distance from the exact walk");
+  writeMarkdown(std::cout, rows, heading);
 }
 
 }  // namespace
@@ -228,7 +268,9 @@ int main(int argc, char** argv) {
   app.add_option("--motion", wanted.motions, "radii per frame")->delimiter(',')->check(CLI::Range(0.0, 10.0));
   app.add_option("--dimensions", wanted.dimensions)->delimiter(',')->check(CLI::Range(2, 3));
   app.add_option("--only", wanted.only, "ways whose names hold one of these")->delimiter(';');
-  app.add_option("--seconds", wanted.seconds, "for one crowd: fewer frames, but at least 3, when they take longer")
+  app.add_option("--seconds", wanted.seconds,
+                 "for one crowd: fewer frames, but at least 3, when they take longer; ways that take a tenth of it "
+                 "for a frame are left out")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--frames", wanted.frames)->check(CLI::Range(3, 100000));
   app.add_option("--threads", wanted.threads)->check(CLI::Range(0, 256));

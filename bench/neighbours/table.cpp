@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <ostream>
 
+#include "bench/neighbours/goals.h"
+
 namespace gw::bench {
 namespace {
 
@@ -59,7 +61,9 @@ void writeMarkdown(std::ostream& out, const std::vector<Row>& rows, const std::s
                   static_cast<unsigned long long>(r.missed), percent(r.misalignedMean).c_str(),
                   percent(r.misalignedLast).c_str(), r.build_ms, double(r.bytes) / 1024.0);
     out << line;
+    if (!r.note.empty()) out << '\n' << r.note << ".\n";
   }
+  writeGoals(out, rows);
 }
 
 }  // namespace gw::bench
