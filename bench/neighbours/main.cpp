@@ -263,7 +263,7 @@ void walkAll(const Wanted& wanted) {
 int main(int argc, char** argv) {
   Wanted wanted;
   CLI::App app{"Measures every way to find neighbours on the same moving crowds."};
-  app.add_option("--entities", wanted.entities)->delimiter(',')->check(CLI::Range(2, 1 << 22));
+  app.add_option("--entities", wanted.entities)->delimiter(',')->check(CLI::Range(3, 1 << 22));
   app.add_option("--distribution", wanted.distributions)->delimiter(',');
   app.add_option("--motion", wanted.motions, "radii per frame")->delimiter(',')->check(CLI::Range(0.0, 10.0));
   app.add_option("--dimensions", wanted.dimensions)->delimiter(',')->check(CLI::Range(2, 3));
