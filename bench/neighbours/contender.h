@@ -1,8 +1,10 @@
 // What the bench asks of a way to find neighbours, on whatever device. All are handed the same places.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +21,14 @@ class Contender {
   virtual void move(const std::vector<CellT>& byId) = 0;   // new places; not timed
   virtual void maintain() = 0;                             // upkeep after motion
   virtual void gather() = 0;                               // counts everybody's neighbours
-  virtual void synchronise() = 0;                          // waits until all that was asked for is done
-  virtual std::vector<uint32_t> counts() = 0;              // by id, of the last gather(); each counts itself
-  virtual uint64_t candidates() = 0;                       // pair tests of one gather
-  virtual size_t bytes() const = 0;                        // of memory beyond the array of entities
+  // Searches for one in so many only: to see how long gather() would take. Nothing where that is never too long.
+  virtual void probe(uint32_t /*every*/) {}
+  virtual void synchronise() = 0;              // waits until all that was asked for is done
+  virtual std::vector<uint32_t> counts() = 0;  // by id, of the last gather(); each counts itself
+  virtual uint64_t candidates() = 0;           // pair tests of one gather
+  // How many entities stand before their predecessor on a line of the structure; none where there are no lines.
+  virtual std::optional<uint32_t> misaligned() { return {}; }
+  virtual size_t bytes() const = 0;  // of memory beyond the array of entities
 };
 
 // What all structures may know beforehand: where everybody stays, and how far they look.
@@ -37,6 +43,14 @@ struct Way {
   // So slow that large crowds are left out: the most entities it is given.
   uint32_t most;
 };
+inline constexpr uint32_t kAny = ~0u, kSlow = 1u << 16;
+
+// Whether its name holds one of `only`; all are asked when that is empty.
+inline bool isAsked(const Way& way, const std::vector<std::string>& only) {
+  return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& part) {
+           return std::string(way.name).find(part) != std::string::npos;
+         });
+}
 
 }  // namespace gw::bench
 

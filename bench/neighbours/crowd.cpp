@@ -40,22 +40,26 @@ template <class CellT>
 std::pair<float, double> fitRadius(const std::vector<CellT>& cells) {
   const size_t askers = std::min<size_t>(cells.size(), 400);
   const size_t rank = std::min<size_t>(size_t(kNeighbours * double(askers)), askers * (cells.size() - 1));
-  std::vector<double> nearest;
+  std::vector<double> nearest;  // of all askers together, cut back to so many whenever there are a few times more
+  double radius2 = HUGE_VAL;
+  const auto cut = [&] {
+    if (nearest.size() < rank) return;
+    const auto last = nearest.begin() + std::ptrdiff_t(rank - 1);
+    std::nth_element(nearest.begin(), last, nearest.end());
+    radius2 = *last;
+    nearest.erase(std::partition(last + 1, nearest.end(), [&](double d) { return d <= radius2; }), nearest.end());
+  };
   for (size_t a = 0; a < askers; ++a) {
     const size_t asker = a * (cells.size() / askers);
-    std::vector<double> all;
     for (size_t i = 0; i < cells.size(); ++i) {
-      if (i != asker) all.push_back(distance2(cells[asker], cells[i]));
+      const double d = distance2(cells[asker], cells[i]);
+      if (i == asker || d > radius2) continue;
+      nearest.push_back(d);
+      if (nearest.size() > 4 * rank + cells.size() / 8) cut();
     }
-    // No asker has more than a few hundred times the mean.
-    const size_t keep = std::min(all.size(), size_t(400 * kNeighbours));
-    std::nth_element(all.begin(), all.begin() + std::ptrdiff_t(keep - 1), all.end());
-    nearest.insert(nearest.end(), all.begin(), all.begin() + std::ptrdiff_t(keep));
   }
-  std::nth_element(nearest.begin(), nearest.begin() + std::ptrdiff_t(rank - 1), nearest.end());
-  const double radius2 = nearest[rank - 1];
-  const auto within = std::count_if(nearest.begin(), nearest.end(), [&](double d) { return d <= radius2; });
-  return {float(std::sqrt(radius2)) * 1.0001f, double(within) / double(askers)};
+  cut();
+  return {float(std::sqrt(radius2)) * 1.0001f, double(nearest.size()) / double(askers)};
 }
 
 }  // namespace

@@ -313,7 +313,6 @@ class Quadtree final : public Outsider<CellT> {
 }  // namespace
 
 std::vector<Way> outsiders() {
-  constexpr uint32_t kAny = ~0u, kSlow = 1u << 16;
   return {{"k-d tree (nanoflann)", false, kAny},
           {"hashed lists", true, kAny},
           {"sweep and prune", true, kSlow},

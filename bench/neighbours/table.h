@@ -13,6 +13,7 @@ struct Row {
   std::string distribution;
   float motion;  // radii per frame
   std::string way;
+  bool exact;
   double neighbours;  // others found per entity
   double build_ms, maintain_ms, gather_ms;
   double total, best;  // medians of maintain + gather: of this way, of the grid in the same run
@@ -20,6 +21,10 @@ struct Row {
   double recall;       // pairs found of those that brute force would find
   uint64_t missed;     // pairs, over all measured frames
   size_t bytes;        // beyond the entities
+  // Shares of the entities that stood before their predecessor on a line after upkeep: in the frames that were looked
+  // at on average, and in the last one. NaN where there are no lines.
+  double misalignedMean, misalignedLast;
+  std::string note;  // to be read below the row
 };
 
 void writeCsv(std::ostream& out, const std::vector<Row>& rows);
