@@ -26,8 +26,8 @@ NDimensions checked(NDimensions dimensions) {
 
 // In place the whole index stays small; a packed grid, whose rows are in order by parts only, wants them fine.
 uint32_t partsFor(NDimensions dimensions, Kept kept) {
-  constexpr uint32_t kIndexBytes = 40 * 1024;
-  if (kept == Kept::packed) return larger(dimensions.columns + dimensions.columns / 2, 1u);
+  constexpr uint32_t kIndexBytes = 24 * 1024;
+  if (kept == Kept::packed) return dimensions.columns + dimensions.columns / 2;
   const uint32_t fit = kIndexBytes / 2 / dimensions.lines();
   return larger(smaller(fit, 2 * dimensions.columns), 1u);
 }
@@ -126,17 +126,20 @@ NGrid<CellT>::NGrid(Queue& queue, NDimensions dimensions, Kept kept)
     : dimensions_(checked(dimensions)),
       kept_(kept),
       parts_(partsFor(dimensions, kept)),
-      line_(queue, dimensions.lines()),
+      width_(queue, dimensions.lines()),
+      height_(queue, dimensions.lines()),
       reach_(queue, dimensions.lines()),
       living_(queue, dimensions.lines()),
       moved_(queue, dimensions.lines()),
-      starts_(queue, size_t(dimensions.lines()) * (parts_ + 1)),
-      totals_(queue, 1) {
+      slab_(queue, dimensions.slabs),
+      totals_(queue, 1),
+      firstColumn_(queue, size_t(dimensions.lines()) * (parts_ + 1)),
+      firstRow_(queue, size_t(dimensions.lines()) * kPartsPerRow) {
   if constexpr (kFlat<CellT>) {
     if (dimensions.slabs != 1) throw std::invalid_argument("An NGrid in two dimensions has one slab.");
   } else {
     depth_ = Buffer<Interval>(queue, dimensions.lines());
-    slabReach_ = Buffer<Interval>(queue, dimensions.slabs);
+    firstSlab_ = Buffer<uint16_t>(queue, dimensions.slabs * kPartsPerRow);
     slabTotals_ = Buffer<GridTotals>(queue, dimensions.slabs);
   }
   if (kept == Kept::inPlace) return;
@@ -147,16 +150,38 @@ NGrid<CellT>::NGrid(Queue& queue, NDimensions dimensions, Kept kept)
 
 template <class CellT>
 NGridView<CellT> NGrid<CellT>::view(const CellT* d_cells) const {
-  return {d_cells,       dimensions_.columns,    dimensions_.rows, dimensions_.slabs, line_.data(),
-          depth_.data(), living_.data(),         reach_.data(),    slabReach_.data(), starts_.data(),
-          parts_,        kept_ == Kept::inPlace, totals_.data()};
+  NGridView<CellT> view{};
+  view.cells = d_cells;
+  view.columns = dimensions_.columns;
+  view.rows = dimensions_.rows;
+  view.slabs = dimensions_.slabs;
+  view.height = height_.data();
+  view.depth = depth_.data();
+  view.living = living_.data();
+  view.reach = reach_.data();
+  view.slab = slab_.data();
+  view.totals = totals_.data();
+  view.firstColumn = firstColumn_.data();
+  view.firstRow = firstRow_.data();
+  view.firstSlab = firstSlab_.data();
+  view.parts = parts_;
+  view.sorted = kept_ == Kept::inPlace;
+  return view;
+}
+
+template <class CellT>
+RowsFound NGrid<CellT>::found() const {
+  return {width_.data(), height_.data(),      depth_.data(), living_.data(),
+          moved_.data(), firstColumn_.data(), parts_,        totals_.data()};
 }
 
 template <class CellT>
 size_t NGrid<CellT>::bytes() const {
-  return line_.size() * sizeof(GridRow) + (depth_.size() + reach_.size() + slabReach_.size()) * sizeof(Interval) +
-         (living_.size() + moved_.size()) * sizeof(uint32_t) + starts_.size() * sizeof(uint16_t) +
-         (1 + slabTotals_.size()) * sizeof(GridTotals) + byZ_.bytes() + byY_.bytes() + aside_.size() * sizeof(CellT);
+  const size_t intervals = width_.size() + height_.size() + depth_.size() + reach_.size();
+  return intervals * sizeof(Interval) + (living_.size() + moved_.size()) * sizeof(uint32_t) +
+         slab_.size() * sizeof(GridSlab) + (totals_.size() + slabTotals_.size()) * sizeof(GridTotals) +
+         (firstColumn_.size() + firstRow_.size() + firstSlab_.size()) * sizeof(uint16_t) + byZ_.bytes() + byY_.bytes() +
+         aside_.size() * sizeof(CellT);
 }
 
 template <class CellT>

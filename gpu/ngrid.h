@@ -39,43 +39,55 @@ struct Interval {
   float low, high;  // m; +infinity and -infinity when nothing is in it
 };
 
-// What is known of a row's living.
-struct alignas(16) GridRow {
-  float low, high;       // y, m: +infinity and -infinity when it has none
-  float left, perMetre;  // where its first part begins, m; parts per metre
+// Equal parts that an interval is cut into: place `low` begins the first.
+struct Scale {
+  float low, perMetre;  // m; parts per metre, 0 when all is in the first
 };
 
 // Of the whole grid.
 struct GridTotals {
   float height, heightBuilt;  // m, of all rows together: now, after the last rebuild() or pack()
-  Interval y, z;              // of all the living
+  Interval x, y, z;           // of all the living
+  Scale parts, slabs;         // of x and of z, of the indexes below
   uint32_t moved;             // entities that the last upkeep has put into another cell
 };
 
-// The part of a row that x falls into: monotonic in x, and 0 for NaN.
-GW_FN uint32_t partOf(const GridRow& row, uint32_t parts, float x) {
-  const float part = (x - row.left) * row.perMetre, last = float(int32_t(parts - 1));
+// Of one slab.
+struct GridSlab {
+  Scale rows;      // parts of y of the index below
+  Interval reach;  // z, 3D only: the lowest of this and later slabs, the highest of this and earlier ones
+};
+
+// The part, of so many, that a place falls into: monotonic in it, and 0 for NaN.
+GW_FN uint32_t partOf(Scale scale, uint32_t parts, float place) {
+  const float part = (place - scale.low) * scale.perMetre, last = float(int32_t(parts - 1));
   return uint32_t(int32_t(part > 0.0f ? (part < last ? part : last) : 0.0f));
 }
+
+// Parts of the indexes of rows, for each row, and of slabs, for each slab.
+inline constexpr uint32_t kPartsPerRow = 8;
 
 // What kernels see. Copy it into a kernel by value. A "line" here is a row of any slab: slab * rows + row.
 template <class CellT>
 struct NGridView {
   const CellT* cells;  // [lines][columns]
   uint32_t columns, rows, slabs;
-  const GridRow* line;     // [lines]
-  const Interval* depth;   // [lines] z of the living; 3D only
-  const uint32_t* living;  // [lines]
-  // Per line, of its slab: the lowest `low` of this and later rows, the highest `high` of this and earlier ones. Both
-  // ascend, so the rows that can meet an interval follow each other. The same of slabs, by z, in 3D only.
-  const Interval *reach, *slabReach;
-  // Per line, an index of x: the span from its first to its last living entity is cut into equal parts, and
-  // starts[line][p] is the first column in part p or later, starts[line][parts] the number of the living.
-  const uint16_t* starts;
+  // Per line, of its living: y; z, in 3D only; how many.
+  const Interval *height, *depth;
+  const uint32_t* living;
+  // Per line, of its slab: the lowest y of this and later rows, the highest of this and earlier ones. Both ascend, so
+  // the rows that can meet an interval follow each other.
+  const Interval* reach;
+  const GridSlab* slab;  // [slabs]
+  const GridTotals* totals;
+  // Where to begin, for each part of a line's x (the first column in it or a later one; at last the number of the
+  // living), of a slab's y (the first row that reaches into it or beyond) and, in 3D only, of z (the same of slabs).
+  const uint16_t* firstColumn;  // [lines][parts + 1]
+  const uint16_t* firstRow;     // [slabs][rows * kPartsPerRow]
+  const uint16_t* firstSlab;    // [slabs * kPartsPerRow]
   uint32_t parts;
   // Rows are in ascending x throughout, not only by parts.
   bool sorted;
-  const GridTotals* totals;
 
   // See NGrid::rowsWidened().
   GW_MEMBER float widened() const {
@@ -94,6 +106,8 @@ struct UpkeepReport {
   uint32_t rounds;      // of passes along all axes that it took
   float widened;        // NGrid::rowsWidened()
 };
+
+struct RowsFound;  // ngrid_rows.h
 
 template <class CellT>
 class NGrid {
@@ -161,17 +175,18 @@ class NGrid {
   void splitRows(Queue& queue, CellT* d_cells, const CellT* d_from, uint32_t* d_cellOf, bool built);
   void findReach(Queue& queue, bool built);
   void requirePacked() const;
+  RowsFound found() const;
   GridTotals totals() const;
 
   NDimensions dimensions_;
   Kept kept_ = Kept::inPlace;
   bool known_ = false;  // something of the rows
   uint32_t parts_ = 0, rounds_ = 0;
-  Buffer<GridRow> line_;
-  Buffer<Interval> depth_, reach_, slabReach_;
+  Buffer<Interval> width_, height_, depth_, reach_;
   Buffer<uint32_t> living_, moved_;
-  Buffer<uint16_t> starts_;
+  Buffer<GridSlab> slab_;
   Buffer<GridTotals> totals_, slabTotals_;  // the latter in 3D only
+  Buffer<uint16_t> firstColumn_, firstRow_, firstSlab_;
   // Of a packed grid only.
   BinSort byZ_, byY_;
   Buffer<CellT> aside_;

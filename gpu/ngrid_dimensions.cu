@@ -76,21 +76,25 @@ NDimensions chooseDimensions(uint32_t n, Float3 size, float radius) {
   constexpr uint64_t kMostColumns = kLongestLine - 16;
   const uint64_t most = axes == 3 ? (1ull << 31) - 1 : kMostColumns * kLongestLine;
   if (n > most) refuse(n, most);
-  NDimensions best{};
-  double least = HUGE_VAL;
   const uint32_t mostSlabs = axes == 3 ? smaller(kLongestLine, n) : 1;
-  for (uint32_t slabs = 1; slabs <= mostSlabs; slabs += 1 + slabs / 16) {
-    // Odd multiples of 16 cells: a stride that is a power of two would put a whole column into one cache set.
-    for (uint32_t columns = 16; columns <= kMostColumns; columns += 32) {
-      const NDimensions d{columns, divideUp(divideUp(n, slabs), columns), slabs};
-      if (d.rows > kLongestLine || uint64_t(columns) * d.rows * slabs >= 1ull << 31) continue;
-      const double cost = expectedCost(d, size, radius);
-      if (cost < least) {
-        least = cost;
-        best = d;
+  const auto forEachChoice = [&](const auto& look) {
+    for (uint32_t slabs = 1; slabs <= mostSlabs; slabs += 1 + slabs / 16) {
+      // Odd multiples of 16 cells: a stride that is a power of two would put a whole column into one cache set.
+      for (uint32_t columns = 16; columns <= kMostColumns; columns += 32) {
+        const NDimensions d{columns, divideUp(divideUp(n, slabs), columns), slabs};
+        if (d.rows <= kLongestLine && uint64_t(columns) * d.rows * slabs < 1ull << 31) {
+          look(d, expectedCost(d, size, radius));
+        }
       }
     }
-  }
+  };
+  double least = HUGE_VAL;
+  forEachChoice([&](NDimensions, double cost) { least = smallerOf(least, cost); });
+  // Of all that are about as good, the one with the least padding.
+  NDimensions best{};
+  forEachChoice([&](NDimensions d, double cost) {
+    if (cost <= 1.03 * least && (best.columns == 0 || d.cells() < best.cells())) best = d;
+  });
   if (best.columns == 0) refuse(n, most);
   return best;
 }

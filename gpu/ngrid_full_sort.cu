@@ -95,6 +95,12 @@ void NGrid<CellT>::rebuild(Queue& queue, CellT* d_cells, uint32_t* d_cellOf) {
   copyBytes(queue, before.data(), d_cells, n * sizeof(CellT), Copy::onDevice);
   forEach(queue, all, TakeByKeys<CellT>{d_cells, before.data(), sort.keys()});
   sortRows(queue, d_cells, d_cellOf, nullptr, true);
+  // Once more, since rows are indexed by the parts of x that were known before.
+  if (kept_ == Kept::packed) {
+    splitRows(queue, d_cells, d_cells, d_cellOf, true);
+  } else {
+    sortRows(queue, d_cells, d_cellOf, nullptr, true);
+  }
   queue.synchronise();
   rounds_ = 1;
 }

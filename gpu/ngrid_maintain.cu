@@ -88,128 +88,152 @@ struct SortRows {
 #endif
         box.moved += cellOf[cell.id] != begin + c;
         cellOf[cell.id] = begin + c;
-        const bool lives = isLiving(cell.x);
-        LivingBox::grow(box.y, cell.y, lives);
-        if constexpr (!kFlat<CellT>) LivingBox::grow(box.z, cell.z, lives);
-        box.living += lives;
+        box.take(cell);
       }
       s.box[lane] = box;
     });
     joinBoxes<kLanes>(team, s.box);
     team.phase([&](uint32_t lane) {
-      if (lane != 0) return;
-      LivingBox& box = s.box[0];  // the living are the first of a sorted row
-      if (box.living) box.x = {line[0].x, line[box.living - 1].x};
-      writeRow(found, team.index, box);
+      if (lane == 0) writeRow(found, team.index, s.box[0]);
     });
-    team.phase([&](uint32_t lane) { indexRow(team.index, line, lane, s.box[0]); });
+    team.phase([&](uint32_t lane) { indexRow(team.index, line, lane, s.box[0].living); });
   }
 
   // Lane by lane: the parts of x that begin at each living cell, then those after the last.
-  GW_BODY void indexRow(uint32_t line, const CellT* cell, uint32_t lane, const LivingBox& box) const {
-    const GridRow row = box.row(found.parts);
-    const uint32_t count = box.living;
-    uint16_t* starts = found.starts + size_t(line) * (found.parts + 1);
+  GW_BODY void indexRow(uint32_t line, const CellT* cell, uint32_t lane, uint32_t count) const {
+    const Scale scale = scaleOf(found.before->x, found.parts);
+    uint16_t* const mine = found.firstColumn + size_t(line) * (found.parts + 1);
     for (uint32_t c = lane; c <= count; c += kLanes) {
-      const uint32_t first = c == 0 ? 0 : partOf(row, found.parts, cell[c - 1].x) + 1;
-      const uint32_t last = c == count ? found.parts : partOf(row, found.parts, cell[c].x);
-      for (uint32_t p = first; p <= last; ++p) starts[p] = uint16_t(c);
+      const uint32_t first = c == 0 ? 0 : partOf(scale, found.parts, cell[c - 1].x) + 1;
+      const uint32_t last = c == count ? found.parts : partOf(scale, found.parts, cell[c].x);
+      for (uint32_t p = first; p <= last; ++p) mine[p] = uint16_t(c);
     }
   }
 };
 
-// One team: of one slab, the running maximum of `high` and the running minimum, from behind, of `low` over its rows.
-// Of a single slab also what is known of the whole grid.
+// For each of `parts` parts the first of `count` rows, or slabs, that reaches into it or beyond.
+template <class HighOf>
+GW_BODY void indexReach(uint16_t* firstOf, uint32_t parts, Scale scale, uint32_t count, uint32_t lane, uint32_t lanes,
+                        const HighOf& highOf) {
+  for (uint32_t part = lane; part < parts; part += lanes) {
+    uint32_t begin = 0, rest = count;
+    while (rest > 1) {
+      const uint32_t half = rest / 2;
+      begin += partOf(scale, parts, highOf(begin + half - 1)) < part ? half : 0;
+      rest -= half;
+    }
+    firstOf[part] = uint16_t(begin);
+  }
+}
+
+GW_BODY inline GridTotals addedUp(GridTotals a, const GridTotals& b) {
+  a.height += b.height;
+  a.x = joined(a.x, b.x);
+  a.y = joined(a.y, b.y);
+  a.z = joined(a.z, b.z);
+  a.moved += b.moved;
+  return a;
+}
+
+GW_BODY inline GridTotals noTotals() {
+  GridTotals none{};
+  none.x = none.y = none.z = {kInfinity, -kInfinity};
+  return none;
+}
+
+// `all` replaces what the upkeep before has left.
+GW_BODY inline void writeTotals(GridTotals* totals, GridTotals all, uint32_t parts, bool built) {
+  all.heightBuilt = built ? all.height : totals->heightBuilt;
+  all.parts = scaleOf(totals->x, parts);  // by which the rows were indexed
+  *totals = all;
+}
+
+// One team: of one slab, the running maximum of the rows' highest y and the running minimum, from behind, of the
+// lowest; and where to begin. Of a flat grid also what is known of the whole.
 struct FindReach {
   static constexpr uint32_t kLanes = 64;
   struct Shared {
-    Interval reach[kLanes], z[kLanes];
-    float height[kLanes];
-    uint32_t moved[kLanes];
+    GridTotals lane[kLanes], all;
   };
   Interval* reach;
-  GridTotals *slabTotals, *totals;  // [slabs], of each; of all
+  uint16_t* firstRow;
+  GridSlab* slab;
+  GridTotals *slabTotals, *totals;  // [slabs], null in 2D; of all
   RowsFound found;
-  uint32_t rows, slabs, built;
+  uint32_t rows, built;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
     const uint32_t each = (rows + kLanes - 1) / kLanes, base = team.index * rows;
     team.phase([&](uint32_t lane) {
-      Interval y{kInfinity, -kInfinity}, z{kInfinity, -kInfinity};
-      float height = 0.0f;
-      uint32_t moved = 0;
-      for (uint32_t row = lane * each; row < (lane + 1) * each && row < rows; ++row) {
-        const GridRow line = found.line[base + row];
-        y = {smaller(y.low, line.low), larger(y.high, line.high)};
-        if (found.depth)
-          z = {smaller(z.low, found.depth[base + row].low), larger(z.high, found.depth[base + row].high)};
-        if (line.high > line.low) height += line.high - line.low;
-        moved += found.moved[base + row];
+      GridTotals mine = noTotals();
+      for (uint32_t line = base + lane * each; line < base + smaller((lane + 1) * each, rows); ++line) {
+        const Interval y = found.height[line];
+        mine = addedUp(mine, {y.high > y.low ? y.high - y.low : 0.0f,
+                              0.0f,
+                              found.width[line],
+                              y,
+                              found.depth ? found.depth[line] : Interval{kInfinity, -kInfinity},
+                              {},
+                              {},
+                              found.moved[line]});
       }
-      s.reach[lane] = y;
-      s.z[lane] = z;
-      s.height[lane] = height;
-      s.moved[lane] = moved;
+      s.lane[lane] = mine;
     });
     team.phase([&](uint32_t lane) {
       float most = -kInfinity, least = kInfinity;
-      for (uint32_t l = 0; l < lane; ++l) most = larger(most, s.reach[l].high);
-      for (uint32_t l = lane + 1; l < kLanes; ++l) least = smaller(least, s.reach[l].low);
-      if (lane == 0) writeTotals(team.index, s);
-      const uint32_t begin = lane * each, end = smaller((lane + 1) * each, rows);
-      for (uint32_t row = begin; row < end; ++row) {
-        reach[base + row].high = most = larger(most, found.line[base + row].high);
+      for (uint32_t l = 0; l < lane; ++l) most = larger(most, s.lane[l].y.high);
+      for (uint32_t l = lane + 1; l < kLanes; ++l) least = smaller(least, s.lane[l].y.low);
+      const uint32_t begin = base + lane * each, end = base + smaller((lane + 1) * each, rows);
+      for (uint32_t line = begin; line < end; ++line) reach[line].high = most = larger(most, found.height[line].high);
+      for (uint32_t line = end; line > begin; --line) {
+        reach[line - 1].low = least = smaller(least, found.height[line - 1].low);
       }
-      for (uint32_t row = end; row > begin; --row) {
-        reach[base + row - 1].low = least = smaller(least, found.line[base + row - 1].low);
+      if (lane != 0) return;
+      s.all = noTotals();
+      for (uint32_t l = 0; l < kLanes; ++l) s.all = addedUp(s.all, s.lane[l]);
+      slab[team.index].rows = scaleOf(s.all.y, rows * kPartsPerRow);
+      if (slabTotals) {
+        slabTotals[team.index] = s.all;
+      } else {
+        writeTotals(totals, s.all, found.parts, built);
       }
     });
-  }
-
-  GW_BODY void writeTotals(uint32_t slab, const Shared& s) const {
-    GridTotals all{0.0f, 0.0f, {kInfinity, -kInfinity}, {kInfinity, -kInfinity}, 0};
-    for (uint32_t l = 0; l < kLanes; ++l) {
-      all.height += s.height[l];
-      all.y = {smaller(all.y.low, s.reach[l].low), larger(all.y.high, s.reach[l].high)};
-      all.z = {smaller(all.z.low, s.z[l].low), larger(all.z.high, s.z[l].high)};
-      all.moved += s.moved[l];
-    }
-    if (slabs == 1) {
-      all.heightBuilt = built ? all.height : totals->heightBuilt;
-      *totals = all;
-    }
-    if (slabTotals) slabTotals[slab] = all;
+    team.phase([&](uint32_t lane) {
+      const uint32_t parts = rows * kPartsPerRow;
+      indexReach(firstRow + team.index * parts, parts, scaleOf(s.all.y, parts), rows, lane, kLanes,
+                 [&](uint32_t row) { return reach[base + row].high; });
+    });
   }
 };
 
 // One team in all: the same over slabs.
 struct FindSlabReach {
-  static constexpr uint32_t kLanes = 1;
+  static constexpr uint32_t kLanes = 64;
   struct Shared {};
-  Interval* reach;  // [slabs]
+  GridSlab* slab;
+  uint16_t* firstSlab;
   GridTotals* totals;
   const GridTotals* slabTotals;
-  uint32_t slabs, built;
+  uint32_t slabs, parts, built;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared&) const {
-    team.phase([&](uint32_t) {
-      GridTotals all{0.0f, 0.0f, {kInfinity, -kInfinity}, {kInfinity, -kInfinity}, 0};
-      for (uint32_t slab = 0; slab < slabs; ++slab) {
-        const GridTotals mine = slabTotals[slab];
-        all.height += mine.height;
-        all.y = {smaller(all.y.low, mine.y.low), larger(all.y.high, mine.y.high)};
-        all.z = {smaller(all.z.low, mine.z.low), larger(all.z.high, mine.z.high)};
-        all.moved += mine.moved;
-        reach[slab].high = all.z.high;
+    team.phase([&](uint32_t lane) {
+      if (lane != 0) return;
+      GridTotals all = noTotals();
+      for (uint32_t i = 0; i < slabs; ++i) {
+        all = addedUp(all, slabTotals[i]);
+        slab[i].reach.high = all.z.high;
       }
       float least = kInfinity;
-      for (uint32_t slab = slabs; slab > 0; --slab) {
-        reach[slab - 1].low = least = smaller(least, slabTotals[slab - 1].z.low);
-      }
-      all.heightBuilt = built ? all.height : totals->heightBuilt;
-      *totals = all;
+      for (uint32_t i = slabs; i > 0; --i) slab[i - 1].reach.low = least = smaller(least, slabTotals[i - 1].z.low);
+      all.slabs = scaleOf(all.z, slabs * kPartsPerRow);
+      writeTotals(totals, all, parts, built);
+    });
+    team.phase([&](uint32_t lane) {
+      indexReach(firstSlab, slabs * kPartsPerRow, totals->slabs, slabs, lane, kLanes,
+                 [&](uint32_t i) { return slab[i].reach.high; });
     });
   }
 };
@@ -247,19 +271,20 @@ void NGrid<CellT>::settle(Queue& queue, CellT* d_cells, uint32_t* d_cellOf) {
 
 template <class CellT>
 void NGrid<CellT>::sortRows(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool built) {
-  const RowsFound found{line_.data(), depth_.data(), living_.data(), moved_.data(), starts_.data(), parts_};
-  forEachTeam(queue, dimensions_.lines(), SortRows<CellT>{d_cells, d_cellOf, found, d_hold, dimensions_.columns});
+  forEachTeam(queue, dimensions_.lines(), SortRows<CellT>{d_cells, d_cellOf, found(), d_hold, dimensions_.columns});
   findReach(queue, built);
 }
 
 template <class CellT>
 void NGrid<CellT>::findReach(Queue& queue, bool built) {
   const uint32_t slabs = dimensions_.slabs;
-  const RowsFound found{line_.data(), depth_.data(), living_.data(), moved_.data(), starts_.data(), parts_};
   forEachTeam(queue, slabs,
-              FindReach{reach_.data(), slabTotals_.data(), totals_.data(), found, dimensions_.rows, slabs, built});
+              FindReach{reach_.data(), firstRow_.data(), slab_.data(), slabTotals_.data(), totals_.data(), found(),
+                        dimensions_.rows, built});
   if (!kFlat<CellT>) {
-    forEachTeam(queue, 1, FindSlabReach{slabReach_.data(), totals_.data(), slabTotals_.data(), slabs, built});
+    forEachTeam(
+        queue, 1,
+        FindSlabReach{slab_.data(), firstSlab_.data(), totals_.data(), slabTotals_.data(), slabs, parts_, built});
   }
   known_ = true;
 }

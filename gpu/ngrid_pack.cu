@@ -4,7 +4,7 @@
 //
 //   y ─ level ─ 32 for a row        row   parts of x   0  | 1    | 2  | 3
 //     ┄┄┄┄┄┄┄┄┄┄┄ row 1                   columns     0 1 | 2 3 4|    | 5 6
-//     ───────────                         starts      0     2     5    5     7
+//     ───────────                         first column 0    2     5    5     7
 //     ┄┄┄┄┄┄┄┄┄┄┄ row 0
 #include <stdexcept>
 
@@ -84,24 +84,13 @@ struct SplitRows {
     team.phase([&](uint32_t lane) {
       LivingBox box = LivingBox::nothing();
       for (uint32_t c = lane; c < columns; c += kLanes) {
-        const CellT cell = s.line[c] = from[begin + c];
-        const bool lives = isLiving(cell.x);
-        LivingBox::grow(box.x, cell.x, lives);
-        LivingBox::grow(box.y, cell.y, lives);
-        if constexpr (!kFlat<CellT>) LivingBox::grow(box.z, cell.z, lives);
-        box.living += lives;
+        s.line[c] = from[begin + c];
+        box.take(s.line[c]);
       }
       s.box[lane] = box;
     });
+    place(team, s, scaleOf(found.before->x, found.parts), begin);
     joinBoxes<kLanes>(team, s.box);
-    const GridRow row = s.box[0].row(found.parts);
-    uint16_t* const starts = found.starts + size_t(team.index) * (found.parts + 1);
-    place(team, s, row, starts, begin);
-    for (uint32_t half = kLanes / 2; half > 0; half /= 2) {
-      team.phase([&](uint32_t lane) {
-        if (lane < half) s.box[lane].moved += s.box[lane + half].moved;
-      });
-    }
     team.phase([&](uint32_t lane) {
       if (lane == 0) writeRow(found, team.index, s.box[0]);
     });
@@ -115,13 +104,14 @@ struct SplitRows {
 
 #if GW_ON_CUDA
   template <class Team>
-  GW_BODY void place(const Team& team, Shared& s, const GridRow& row, uint16_t* starts, uint32_t begin) const {
+  GW_BODY void place(const Team& team, Shared& s, Scale scale, uint32_t begin) const {
+    uint16_t* const firstColumn = found.firstColumn + size_t(team.index) * (found.parts + 1);
     uint32_t padded = 1;
     while (padded < columns) padded *= 2;
     team.phase([&](uint32_t lane) {
       for (uint32_t c = lane; c < padded; c += kLanes) {
         const uint32_t part =
-            c < columns && isLiving(s.line[c].x) ? partOf(row, found.parts, s.line[c].x) : found.parts;
+            c < columns && isLiving(s.line[c].x) ? partOf(scale, found.parts, s.line[c].x) : found.parts;
         s.keys[c] = c < columns ? part << kColumnBits | c : 0xFFFFFFFFu;
       }
     });
@@ -144,9 +134,9 @@ struct SplitRows {
       const auto partAt = [&](uint32_t c) { return s.keys[c] >> kColumnBits; };
       for (uint32_t c = lane; c < columns; c += kLanes) {
         put(s.line[s.keys[c] & (kLongestLine - 1)], begin + c, moved);
-        for (uint32_t p = c == 0 ? 0 : partAt(c - 1) + 1; p <= partAt(c); ++p) starts[p] = uint16_t(c);
+        for (uint32_t p = c == 0 ? 0 : partAt(c - 1) + 1; p <= partAt(c); ++p) firstColumn[p] = uint16_t(c);
         if (c + 1 == columns) {
-          for (uint32_t p = partAt(c) + 1; p <= found.parts; ++p) starts[p] = uint16_t(columns);
+          for (uint32_t p = partAt(c) + 1; p <= found.parts; ++p) firstColumn[p] = uint16_t(columns);
         }
       }
       s.box[lane].moved = moved;
@@ -154,18 +144,19 @@ struct SplitRows {
   }
 #else
   template <class Team>
-  void place(const Team&, Shared& s, const GridRow& row, uint16_t* starts, uint32_t begin) const {
+  void place(const Team& team, Shared& s, Scale scale, uint32_t begin) const {
+    uint16_t* const firstColumn = found.firstColumn + size_t(team.index) * (found.parts + 1);
     const uint32_t parts = found.parts;
     std::fill(s.next, s.next + parts + 1, 0u);
     for (uint32_t c = 0; c < columns; ++c) {
       const float x = s.line[c].x;
-      s.part[c] = isLiving(x) ? partOf(row, parts, x) : parts;
+      s.part[c] = isLiving(x) ? partOf(scale, parts, x) : parts;
     }
     for (uint32_t c = 0; c < columns; ++c) ++s.next[s.part[c]];
     uint32_t at = 0;
     for (uint32_t p = 0; p <= parts; ++p) {
       const uint32_t count = s.next[p];
-      starts[p] = uint16_t(at);
+      firstColumn[p] = uint16_t(at);
       s.next[p] = begin + at;
       at += count;
     }
@@ -214,8 +205,7 @@ void NGrid<CellT>::requirePacked() const {
 
 template <class CellT>
 void NGrid<CellT>::splitRows(Queue& queue, CellT* d_cells, const CellT* d_from, uint32_t* d_cellOf, bool built) {
-  const RowsFound found{line_.data(), depth_.data(), living_.data(), moved_.data(), starts_.data(), parts_};
-  forEachTeam(queue, dimensions_.lines(), SplitRows<CellT>{d_cells, d_from, d_cellOf, found, dimensions_.columns});
+  forEachTeam(queue, dimensions_.lines(), SplitRows<CellT>{d_cells, d_from, d_cellOf, found(), dimensions_.columns});
   findReach(queue, built);
   rounds_ = 1;
 }
@@ -224,5 +214,7 @@ template void NGrid<Cell>::pack(Queue&, Cell*, uint32_t*);
 template void NGrid<Cell3>::pack(Queue&, Cell3*, uint32_t*);
 template void NGrid<Cell>::refresh(Queue&, Cell*, uint32_t*);
 template void NGrid<Cell3>::refresh(Queue&, Cell3*, uint32_t*);
+template void NGrid<Cell>::splitRows(Queue&, Cell*, const Cell*, uint32_t*, bool);
+template void NGrid<Cell3>::splitRows(Queue&, Cell3*, const Cell3*, uint32_t*, bool);
 
 }  // namespace gw::GW_DEVICE

@@ -1,6 +1,7 @@
 // What upkeep finds out about rows: shared by the kernels that leave rows in order. Not for users of the NGrid.
 #pragma once
 
+#include "gpu/neighbour.h"
 #include "gpu/ngrid.h"
 
 namespace gw::GW_DEVICE {
@@ -10,14 +11,24 @@ inline constexpr uint32_t kLineLanes = GW_ON_CUDA ? 256 : 1;  // on cpu one lane
 // Levels of y that packing tells apart, for each row (of z, for each slab): enough that rows overlap little.
 inline constexpr uint32_t kLevelsPerLine = 32;
 
-// What is written about rows, per line.
+// What is written about rows, per line; and by what parts of x their index goes.
 struct RowsFound {
-  GridRow* line;
-  Interval* depth;  // null in 2D
+  Interval *width, *height, *depth;  // x, y, z of the living; depth is null in 2D
   uint32_t *living, *moved;
-  uint16_t* starts;
+  uint16_t* firstColumn;
   uint32_t parts;
+  const GridTotals* before;  // as the last upkeep left them
 };
+
+GW_FN Scale scaleOf(Interval all, uint32_t parts) {
+  const float width = all.high - all.low;
+  if (!(all.low < kInfinity)) return {0.0f, 0.0f};  // nobody lives
+  return {all.low, width > 0.0f ? float(int32_t(parts)) / width : 0.0f};
+}
+
+GW_FN Interval joined(Interval a, Interval b) {
+  return {smaller(a.low, b.low), larger(a.high, b.high)};
+}
 
 // The box around the living that a lane, or a team, has seen, and how many.
 struct LivingBox {
@@ -32,21 +43,20 @@ struct LivingBox {
     along.low = smaller(along.low, lives ? place : kInfinity);
     along.high = larger(along.high, lives ? place : -kInfinity);
   }
+  template <class CellT>
+  GW_BODY void take(const CellT& cell) {
+    const bool lives = isLiving(cell.x);
+    grow(x, cell.x, lives);
+    grow(y, cell.y, lives);
+    if constexpr (!kFlat<CellT>) grow(z, cell.z, lives);
+    living += lives;
+  }
   GW_BODY void join(const LivingBox& other) {
-    x = {smaller(x.low, other.x.low), larger(x.high, other.x.high)};
-    y = {smaller(y.low, other.y.low), larger(y.high, other.y.high)};
-    z = {smaller(z.low, other.z.low), larger(z.high, other.z.high)};
+    x = joined(x, other.x);
+    y = joined(y, other.y);
+    z = joined(z, other.z);
     living += other.living;
     moved += other.moved;
-  }
-
-  // Which of two zeros is the lower one depends on who came first: + 0.0f makes both +0.
-  GW_BODY static Interval settled(Interval along) { return {along.low + 0.0f, along.high + 0.0f}; }
-
-  GW_BODY GridRow row(uint32_t parts) const {
-    const float left = living ? x.low + 0.0f : 0.0f, width = living ? x.high - left : 0.0f;
-    const Interval height = settled(y);
-    return {height.low, height.high, left, width > 0.0f ? float(int32_t(parts)) / width : 0.0f};
   }
 };
 
@@ -61,8 +71,11 @@ GW_BODY void joinBoxes(const Team& team, LivingBox* boxes) {
 }
 
 GW_BODY inline void writeRow(const RowsFound& found, uint32_t line, const LivingBox& box) {
-  found.line[line] = box.row(found.parts);
-  if (found.depth) found.depth[line] = LivingBox::settled(box.z);
+  // Which of two zeros is the lower one depends on who came first: + 0.0f makes both +0.
+  const auto settled = [](Interval along) { return Interval{along.low + 0.0f, along.high + 0.0f}; };
+  found.width[line] = settled(box.x);
+  found.height[line] = settled(box.y);
+  if (found.depth) found.depth[line] = settled(box.z);
   found.living[line] = box.living;
   found.moved[line] = box.moved;
 }

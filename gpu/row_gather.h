@@ -1,11 +1,11 @@
 // Exact gathering in an NGrid: precisely the neighbours that brute force finds, however misaligned columns and poles
-// are. Needs only what upkeep finds out about rows: their intervals of y (in 3D of z too) and their index of x.
+// are. Needs only what upkeep finds out about rows: their intervals of y (in 3D of z too), and where x, y and z begin.
 //
-//        high[row] ┌───────────────┐        visit the rows whose interval meets [y - r, y + r],
-//   y + r ─ ─ ─ ─ ─│─ ─┌───┐─ ─ ─ ─│        and in such a row the one span of columns whose x
-//                  │   │ ■ │       │        lies in [x - r, x + r], found by the index;
-//   y - r ─ ─ ─ ─ ─│─ ─└───┘─ ─ ─ ─│        in 3D, of the slabs that meet [z - r, z + r]
-//         low[row] └───────────────┘
+//    highest y ┌───────────────┐        visit the rows whose interval meets [y - r, y + r],
+//   y + r ─ ─ ─│─ ─┌───┐─ ─ ─ ─│        and in such a row the one span of columns whose x
+//              │   │ ■ │       │        lies in [x - r, x + r];
+//   y - r ─ ─ ─│─ ─└───┘─ ─ ─ ─│        in 3D, of the slabs that meet [z - r, z + r]
+//     lowest y └───────────────┘
 //
 // All pruning uses the rounded differences of the neighbour test itself: rounding is monotonic, so what is
 // pruned would have failed the test. Cost per query: the rows met, in each O(log columns) at worst, and the spans.
@@ -26,110 +26,103 @@ struct RowGather {
   // of visits is that of the cells and must not matter. radius in [0, infinity], `at` finite.
   template <class Visitor>
   GW_MEMBER uint32_t operator()(Place at, float radius, Visitor&& visit) const {
-    uint32_t slab = 0;
-    if constexpr (!kFlat<CellT>) slab = nearest(grid.slabReach, grid.slabs, at.z);
-    const uint32_t row = nearest(grid.reach + slab * grid.rows, grid.rows, at.y);
-    return visitFrom(0, slab * grid.rows + row, at, radius, visit);
+    return visitFrom(0, 0, at, radius, visit);
   }
 
-  // The same for an asker that stands in the grid itself, in cell `index`: near there the rows are looked for.
+  // The same for an asker that stands in the grid itself, in cell `index`.
   template <class Visitor>
-  GW_MEMBER uint32_t around(uint32_t index, Place at, float radius, Visitor&& visit) const {
-    return visitFrom(0, index / grid.columns, at, radius, visit);
+  GW_MEMBER uint32_t around(uint32_t, Place at, float radius, Visitor&& visit) const {
+    return visitFrom(0, 0, at, radius, visit);
   }
 
   // The same, but only what stands in a cell after `index`: over all cells each pair is found once, from one side,
   // for half the tests. `at` is the asker's place, in its cell or elsewhere: where it will be, say.
   template <class Visitor>
   GW_MEMBER uint32_t after(uint32_t index, Place at, float radius, Visitor&& visit) const {
-    const uint32_t line = index / grid.columns;
-    const uint32_t tested = visitSpan(line, grid.line[line], index % grid.columns + 1, at, radius, visit);
-    return tested + visitFrom(line + 1, line, at, radius, visit);
+    return visitFrom(index / grid.columns, index % grid.columns + 1, at, radius, visit);
   }
 
  private:
-  // The lines from `first` on that may meet the asker's box, looked for near the line `near`.
+  // Parts of x in which the spans begin and end.
+  struct Span {
+    uint32_t from, to;
+  };
+
+  // What is neighbour may round: edges are widened by more than that.
+  GW_MEMBER static float roundingOf(float place, float radius) { return (magnitude(place) + radius) * 0x1p-20f; }
+
+  // From column `column` of line `first` on.
   template <class Visitor>
-  GW_MEMBER uint32_t visitFrom(uint32_t first, uint32_t near, Place at, float radius, Visitor&& visit) const {
+  GW_MEMBER uint32_t visitFrom(uint32_t first, uint32_t column, Place at, float radius, Visitor&& visit) const {
+    const float rounding = roundingOf(at.x, radius);
+    const Scale scale = grid.totals->parts;
+    const Span span{partOf(scale, grid.parts, at.x - radius - rounding),
+                    partOf(scale, grid.parts, at.x + radius + rounding)};
     if constexpr (kFlat<CellT>) {
-      return visitRows(0, first, near, at, radius, visit);
+      return visitSlab(0, first, column, span, at, radius, visit);
     } else {
-      const uint32_t row = near % grid.rows;
-      uint32_t tested = 0, slab = firstReaching(grid.slabReach, grid.slabs, near / grid.rows, at.z, radius);
-      for (; slab < grid.slabs && !(grid.slabReach[slab].low - at.z > radius); ++slab) {
-        const uint32_t base = slab * grid.rows;
-        if (first < base + grid.rows)
-          tested += visitRows(base, first > base ? first - base : 0, row, at, radius, visit);
+      uint32_t tested = 0, slab = larger(firstSlabAt(at.z, radius), first / grid.rows);
+      for (; slab < grid.slabs && !(grid.slab[slab].reach.low - at.z > radius); ++slab) {
+        tested += visitSlab(slab, first, column, span, at, radius, visit);
       }
       return tested;
     }
   }
 
-  // Those of one slab, whose lines begin at `base`.
   template <class Visitor>
-  GW_MEMBER uint32_t visitRows(uint32_t base, uint32_t first, uint32_t near, Place at, float radius,
+  GW_MEMBER uint32_t visitSlab(uint32_t slab, uint32_t first, uint32_t column, Span span, Place at, float radius,
                                Visitor&& visit) const {
-    const Interval* reach = grid.reach + base;
-    uint32_t tested = 0, row = larger(firstReaching(reach, grid.rows, near, at.y, radius), first);
-    for (; row < grid.rows && !(reach[row].low - at.y > radius); ++row) {
-      const GridRow line = grid.line[base + row];
-      if (line.low - at.y > radius || at.y - line.high > radius) continue;
+    const uint32_t end = (slab + 1) * grid.rows;
+    uint32_t tested = 0, line = larger(slab * grid.rows + firstRowAt(slab, at.y, radius), first);
+    for (; line < end && !(grid.reach[line].low - at.y > radius); ++line) {
+      const Interval y = grid.height[line];
+      if ((y.low - at.y > radius) | (at.y - y.high > radius)) continue;
       if constexpr (!kFlat<CellT>) {
-        const Interval depth = grid.depth[base + row];
-        if (depth.low - at.z > radius || at.z - depth.high > radius) continue;
+        const Interval z = grid.depth[line];
+        if (z.low - at.z > radius || at.z - z.high > radius) continue;
       }
-      tested += visitSpan(base + row, line, 0, at, radius, visit);
+      tested += visitLine(line, line == first ? column : 0, span, at, radius, visit);
     }
     return tested;
   }
 
-  // The columns of one line from `begin` on that may be within the radius.
+  // The columns of one line from `column` on that may be within the radius. A few more are tested where that makes
+  // their number a multiple of four: no loop has to begin or end with less than compilers test at once.
   template <class Visitor>
-  GW_MEMBER uint32_t visitSpan(uint32_t row, GridRow line, uint32_t begin, Place at, float radius,
+  GW_MEMBER uint32_t visitLine(uint32_t line, uint32_t column, Span span, Place at, float radius,
                                Visitor&& visit) const {
-    // What is neighbour may round: edges are widened by more than that.
-    const float rounding = (magnitude(at.x) + radius) * 0x1p-20f;
-    const uint16_t* starts = grid.starts + size_t(row) * (grid.parts + 1);
-    const uint16_t* from = starts + partOf(line, grid.parts, at.x - radius - rounding);
-    const uint16_t* to = starts + partOf(line, grid.parts, at.x + radius + rounding);
-    const CellT* cells = grid.cells + row * grid.columns;
-    const uint32_t first = larger(firstColumn(cells, from[0], from[1], at.x, radius), begin);
-    const uint32_t end = endColumn(cells, to[0], to[1], at.x, radius);
-    for (uint32_t c = first; c < end; ++c) {
+    const uint16_t* firstColumn = grid.firstColumn + size_t(line) * (grid.parts + 1);
+    const CellT* cells = grid.cells + line * grid.columns;
+    const uint32_t living = firstColumn[grid.parts];
+    uint32_t begin = firstColumn[span.from], last = firstColumn[span.to + 1];
+    if (grid.sorted) {
+      begin = beginOf(cells, begin, firstColumn[span.from + 1], at.x, radius);
+      last = endOf(cells, firstColumn[span.to], last, at.x, radius);
+    }
+    begin = larger(begin, column);
+    last = larger(last, begin);
+    const uint32_t end = smaller(begin + ((last - begin + 3) & ~3u), larger(living, begin));
+    for (uint32_t c = begin; c < end; ++c) {
       const Place away = placeOf(cells[c]) - at;
-      if (isNeighbour(away, radius)) visit(cells[c], row * grid.columns + c, away);
+      if (isNeighbour(away, radius)) visit(cells[c], line * grid.columns + c, away);
     }
-    return end > first ? end - first : 0;
+    return end - begin;
   }
 
-  // The first of `count` rows, or slabs, that reaches up to `place` - radius, walking from one near by. The first step
-  // down is as likely as not, so it is taken without a branch.
-  GW_MEMBER static uint32_t firstReaching(const Interval* reach, uint32_t count, uint32_t near, float place,
-                                          float radius) {
-    uint32_t begin = near;
-    while (begin < count && place - reach[begin].high > radius) ++begin;
-    const uint32_t before = begin > 0 ? begin - 1 : 0;
-    begin = place - reach[before].high > radius ? begin : before;
-    while (begin > 0 && !(place - reach[begin - 1].high > radius)) --begin;
-    return begin;
+  GW_MEMBER uint32_t firstRowAt(uint32_t slab, float y, float radius) const {
+    const uint32_t parts = grid.rows * kPartsPerRow;
+    return grid.firstRow[slab * parts + partOf(grid.slab[slab].rows, parts, y - radius - roundingOf(y, radius))];
+  }
+  GW_MEMBER uint32_t firstSlabAt(float z, float radius) const {
+    const uint32_t parts = grid.slabs * kPartsPerRow;
+    return grid.firstSlab[partOf(grid.totals->slabs, parts, z - radius - roundingOf(z, radius))];
   }
 
-  // The first that reaches up to `place`, or the last.
-  GW_MEMBER static uint32_t nearest(const Interval* reach, uint32_t count, float place) {
-    uint32_t begin = 0;
-    while (count > 1) {
-      const uint32_t half = count / 2;
-      begin += reach[begin + half - 1].high < place ? half : 0;
-      count -= half;
-    }
-    return begin;
-  }
-
-  // The index says in which few columns a span begins or ends. Of a sorted row bisection makes them fewer, without
-  // branches since its steps are equally likely to go either way.
-  GW_MEMBER uint32_t firstColumn(const CellT* cells, uint32_t begin, uint32_t end, float x, float radius) const {
+  // The index says in which columns a span of a sorted row begins or ends. Bisection makes them few, without branches
+  // since its steps are equally likely to go either way.
+  GW_MEMBER uint32_t beginOf(const CellT* cells, uint32_t begin, uint32_t end, float x, float radius) const {
     uint32_t count = end - begin;
-    while (count > kFew && grid.sorted) {
+    while (count > kFew) {
       const uint32_t half = count / 2;
       begin += cells[begin + half - 1].x - x < -radius ? half : 0;
       count -= half;
@@ -137,9 +130,9 @@ struct RowGather {
     return begin;
   }
 
-  GW_MEMBER uint32_t endColumn(const CellT* cells, uint32_t begin, uint32_t end, float x, float radius) const {
+  GW_MEMBER uint32_t endOf(const CellT* cells, uint32_t begin, uint32_t end, float x, float radius) const {
     uint32_t count = end - begin;
-    while (count > kFew && grid.sorted) {
+    while (count > kFew) {
       const uint32_t half = count / 2;
       begin += cells[begin + half - 1].x - x > radius ? 0 : half;
       count -= half;

@@ -74,7 +74,6 @@ struct GridGather {
   }
 
  private:
-
   template <class Visitor>
   GW_MEMBER uint32_t visitFrom(uint32_t from, PlaceOf<CellT> at, float radius, Visitor&& visit) const {
     const uint32_t left = bins.first(0, at.x, radius), right = bins.last(0, at.x, radius);
@@ -85,7 +84,9 @@ struct GridGather {
     for (uint32_t z = bottom; z <= top; ++z) {
       for (uint32_t y = low; y <= high; ++y) {
         const uint32_t row = (z * bins.count[1] + y) * bins.count[0];
-        const uint32_t first = larger(from, begin[row + left]), end = begin[row + right + 1];
+        const uint32_t first = larger(from, begin[row + left]), last = larger(begin[row + right + 1], first);
+        // Up to three more where the row has them: no loop has to end with less than compilers test at once.
+        const uint32_t end = smaller(first + ((last - first + 3) & ~3u), larger(begin[row + bins.count[0]], first));
         for (uint32_t i = first; i < end; ++i) {
           const PlaceOf<CellT> away = placeOf(cells[i]) - at;
           if (isNeighbour(away, radius)) visit(cells[i], i, away);

@@ -1,4 +1,5 @@
 // ngrid_gather_*.png: what a search around one entity looks at, finds and misses.
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <stdexcept>
@@ -87,13 +88,22 @@ void ask(const Gather& gather, uint32_t index, const Cell& asker, float radius, 
                                [&](const Cell& cell, uint32_t, Float2) { search.found.push_back(cell.id); });
 }
 
-// Whether a search for what stands after a cell takes one test fewer than a search that may begin with it.
-template <class Gather>
-bool isTested(const Gather& gather, uint32_t index, const Cell& asker, float radius) {
-  const auto ignore = [](const Cell&, uint32_t, Float2) {};
-  const uint32_t with = index > 0 ? gather.after(index - 1, placeOf(asker), radius, ignore)
-                                  : gather.around(0, placeOf(asker), radius, ignore);
-  return with > gather.after(index, placeOf(asker), radius, ignore);
+struct Span {
+  uint32_t begin, end;
+};
+
+// Searches test up to three cells more, so that they come in fours, where there are so many.
+Span inFours(uint32_t begin, uint32_t end, uint32_t last) {
+  return {begin, std::min(begin + ((end - begin + 3) & ~3u), last)};
+}
+
+// The columns of a row of a packed grid that a search tests, as RowGather describes it.
+Span spanOf(const NGridView<Cell>& view, uint32_t row, const Cell& asker, float radius) {
+  const float rounding = (magnitude(asker.x) + radius) * 0x1p-20f;
+  const auto part = [&](float x) { return partOf(view.totals->parts, view.parts, x); };
+  const uint16_t* first = view.firstColumn + row * (view.parts + 1);
+  return inFours(first[part(asker.x - radius - rounding)], first[part(asker.x + radius + rounding) + 1],
+                 first[view.parts]);
 }
 
 struct Picture {
@@ -105,26 +115,26 @@ struct Picture {
 
 void drawRows(const std::string& path, const Picture& of, const Cell& asker) {
   const float r = of.crowd.radius;
-  KeptGrid kept(of.crowd.byId, chooseDimensions(of.n(), of.box(), r));
+  KeptGrid kept(of.crowd.byId, chooseDimensions(of.n(), of.box(), r), Kept::packed);
   kept.grid.rebuild(kept.queue, kept.cells.data(), kept.cellOf.data());
   Search search{};
-  std::vector<GridRow> met;
+  std::vector<Interval> met;
   launch(kept.queue, [&] {
     const NGridView<Cell> view = kept.grid.view(kept.cells.data());
     const RowGather<Cell> gather{view};
     ask(gather, kept.cellOf.data()[asker.id], asker, r, search);
     for (uint32_t row = 0; row < view.rows; ++row) {
-      const GridRow line = view.line[row];
-      if (line.low - asker.y > r || asker.y - line.high > r) continue;
-      met.push_back(line);
-      for (uint32_t i = row * view.columns; i < (row + 1) * view.columns; ++i) {
-        if (isLiving(view.cells[i].x) && isTested(gather, i, asker, r)) search.tested.push_back(view.cells[i]);
-      }
+      const Interval y = view.height[row];
+      if (y.low - asker.y > r || asker.y - y.high > r) continue;
+      met.push_back(y);
+      const Span span = spanOf(view, row, asker, r);
+      const Cell* line = view.cells + row * view.columns;
+      search.tested.insert(search.tested.end(), line + span.begin, line + span.end);
     }
   });
   drawGather(path, of.font, of.crowd, asker, search, "exact: rows that meet the circle, in each a span of x",
              [&](Canvas& canvas, const Look& look) {
-               for (const GridRow& row : met) {
+               for (const Interval& row : met) {
                  canvas.rectangle({0, look(0, row.high).y + 1.0f}, {float(kSize.width), look(0, row.low).y - 1.0f},
                                   kLooked, 0.45f);
                  canvas.rectangle({look(asker.x - r, 0).x, look(0, row.high).y + 1.0f},
@@ -148,8 +158,11 @@ void drawBins(const std::string& path, const Picture& of, const Cell& asker) {
     const GridGather<Cell> gather = grid.view(cells.data());
     bins = gather.bins;
     ask(gather, cellOf.data()[asker.id], asker, r, search);
-    for (uint32_t i = 0; i < of.n(); ++i) {
-      if (isTested(gather, i, asker, r)) search.tested.push_back(gather.cells[i]);
+    for (uint32_t y = bins.first(1, asker.y, r); y <= bins.last(1, asker.y, r); ++y) {
+      const uint32_t* begin = gather.begin + y * bins.count[0];
+      const Span run =
+          inFours(begin[bins.first(0, asker.x, r)], begin[bins.last(0, asker.x, r) + 1], begin[bins.count[0]]);
+      search.tested.insert(search.tested.end(), gather.cells + run.begin, gather.cells + run.end);
     }
   });
   drawGather(path, of.font, of.crowd, asker, search, "uniform grid: all bins that meet the circle's box",

@@ -40,8 +40,8 @@ struct KeptGrid {
   cpu::Buffer<Cell> cells;
   cpu::Buffer<uint32_t> cellOf;
 
-  KeptGrid(const std::vector<Cell>& byId, cpu::NDimensions dimensions)
-      : grid(queue, dimensions), cells(queue, dimensions.cells()), cellOf(queue, dimensions.cells()) {
+  KeptGrid(const std::vector<Cell>& byId, cpu::NDimensions dimensions, cpu::Kept kept = cpu::Kept::inPlace)
+      : grid(queue, dimensions, kept), cells(queue, dimensions.cells()), cellOf(queue, dimensions.cells()) {
     cells.upload(cpu::padded(byId, dimensions));
   }
   void move(const std::vector<Cell>& byId) {

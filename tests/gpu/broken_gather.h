@@ -21,8 +21,8 @@ struct BrokenGather {
     }
     for (uint32_t row = rows; row-- > 0;) {
       // Takes the rows' upper ends for ascending, which the dead among the living undo.
-      if (kMistake == test::Method::trustsRowOrder && at.y - grid.line[row].high > radius) break;
-      if (grid.line[row].low - at.y > radius || at.y - grid.line[row].high > radius) continue;
+      if (kMistake == test::Method::trustsRowOrder && at.y - grid.height[row].high > radius) break;
+      if (grid.height[row].low - at.y > radius || at.y - grid.height[row].high > radius) continue;
       const Cell* line = grid.cells + row * grid.columns;
       for (uint32_t c = 0; c < grid.living[row]; ++c) {
         // Prunes by an edge that was rounded on its own, not by the rounded difference.

@@ -58,7 +58,7 @@ TEST(ChooseDimensions, MakesRowsSoHighThatTheirEndsCostAsMuchAsTheirMiddles) {
     const float height = std::sqrt(float(n) / 0.4f * 9.0f / 16.0f), radius = std::sqrt(20.0f / (0.4f * 3.1416f));
     const NDimensions found = chooseDimensions(n, {height * 16.0f / 9.0f, height, 0.0f}, radius);
     const float rowHeight = height / float(found.rows);
-    EXPECT_GT(rowHeight, 1.5f * radius) << n;
+    EXPECT_GT(rowHeight, 1.3f * radius) << n;
     EXPECT_LT(rowHeight, 2.6f * radius) << n;
   }
   // In three dimensions rows are as deep as they are high, near enough.

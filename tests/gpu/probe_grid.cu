@@ -129,9 +129,9 @@ test::GridStateOf<CellT> upkeep(const ExecOptions& options, test::GridShape shap
   if (upkeep == test::Upkeep::transpose) return state;
   const uint32_t lines = shape.lines();
   state.living = downloaded(queue, view.living, lines);
-  for (const GridRow& row : downloaded(queue, view.line, lines)) {
-    state.low.push_back(row.low);
-    state.high.push_back(row.high);
+  for (const Interval& y : downloaded(queue, view.height, lines)) {
+    state.low.push_back(y.low);
+    state.high.push_back(y.high);
   }
   for (const Interval& reach : downloaded(queue, view.reach, lines)) {
     state.reachLow.push_back(reach.low);
@@ -141,12 +141,14 @@ test::GridStateOf<CellT> upkeep(const ExecOptions& options, test::GridShape shap
     state.near.push_back(z.low);
     state.far.push_back(z.high);
   }
-  for (const Interval& reach : downloaded(queue, view.slabReach, shape.slabs)) {
-    state.slabReachLow.push_back(reach.low);
-    state.slabReachHigh.push_back(reach.high);
+  if (!kFlat<CellT>) {
+    for (const GridSlab& slab : downloaded(queue, view.slab, shape.slabs)) {
+      state.slabReachLow.push_back(slab.reach.low);
+      state.slabReachHigh.push_back(slab.reach.high);
+    }
   }
-  for (const uint16_t start : downloaded(queue, view.starts, size_t(lines) * (view.parts + 1))) {
-    state.starts.push_back(start);
+  for (const uint16_t first : downloaded(queue, view.firstColumn, size_t(lines) * (view.parts + 1))) {
+    state.starts.push_back(first);
   }
   return state;
 }

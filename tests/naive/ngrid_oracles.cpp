@@ -125,24 +125,26 @@ uint32_t scaled(float value, uint32_t count) {
   return value < float(count - 1) ? uint32_t(value) : count - 1;
 }
 
-// The parts of x that a row's index knows.
+// The parts of x that rows are indexed by: of what the living spanned after the upkeep before.
 struct Parts {
   uint32_t count;
-  float left, perMetre;
+  float low = 0.0f, perMetre = 0.0f;
 
-  template <class CellT>
-  Parts(const std::vector<CellT>& row, uint32_t parts) : count(parts) {
-    const Extent x = extentOf(row, 0);
-    left = x.low <= x.high ? x.low : 0.0f;
-    const float width = x.low <= x.high ? x.high - left : 0.0f;
-    perMetre = width > 0.0f ? float(parts) / width : 0.0f;
+  Parts(Extent x, uint32_t parts) : count(parts) {
+    if (!(x.low < kInfinite)) return;
+    low = x.low;
+    const float width = x.high - x.low;
+    if (width > 0.0f) perMetre = float(parts) / width;
   }
-  uint32_t of(float x) const { return scaled((x - left) * perMetre, count); }
+  uint32_t of(float x) const { return scaled((x - low) * perMetre, count); }
 };
 
+// Nothing is known yet.
+constexpr Extent kUnknown{0.0f, 0.0f};
+
 uint32_t partsOf(GridShape shape, bool packed) {
-  if (packed) return std::max(shape.columns + shape.columns / 2, 1u);
-  return std::max(std::min(20480 / shape.lines(), 2 * shape.columns), 1u);
+  if (packed) return shape.columns + shape.columns / 2;
+  return std::max(std::min(12288 / shape.lines(), 2 * shape.columns), 1u);
 }
 
 bool keepsPacked(Upkeep upkeep) {
@@ -151,7 +153,7 @@ bool keepsPacked(Upkeep upkeep) {
 
 // Fills in what is known about the rows of state.cells, which are in order already.
 template <class CellT>
-void describe(GridShape shape, test::GridStateOf<CellT>& state, uint32_t parts) {
+void describe(GridShape shape, test::GridStateOf<CellT>& state, const Parts& parts) {
   for (uint32_t line = 0; line < shape.lines(); ++line) {
     const auto begin = state.cells.begin() + ptrdiff_t(line * shape.columns);
     const std::vector<CellT> row(begin, begin + shape.columns);
@@ -163,10 +165,9 @@ void describe(GridShape shape, test::GridStateOf<CellT>& state, uint32_t parts) 
       state.far.push_back(z.high);
     }
     state.living.push_back(uint32_t(std::count_if(row.begin(), row.end(), [](const CellT& c) { return lives(c); })));
-    const Parts known(row, parts);
-    for (uint32_t p = 0; p <= parts; ++p) {
+    for (uint32_t p = 0; p <= parts.count; ++p) {
       state.starts.push_back(uint32_t(
-          std::count_if(row.begin(), row.end(), [&](const CellT& c) { return lives(c) && known.of(c.x) < p; })));
+          std::count_if(row.begin(), row.end(), [&](const CellT& c) { return lives(c) && parts.of(c.x) < p; })));
     }
   }
   for (uint32_t line = 0; line < shape.lines(); ++line) {
@@ -215,10 +216,9 @@ void packByLevels(GridShape shape, std::vector<CellT>& cells, Extent y, Extent z
 
 // Each row into parts of x, each part in the order it had, the dead last.
 template <class CellT>
-void splitRows(GridShape shape, std::vector<CellT>& cells) {
+void splitRows(GridShape shape, std::vector<CellT>& cells, const Parts& parts) {
   for (ptrdiff_t begin = 0; begin < ptrdiff_t(cells.size()); begin += shape.columns) {
     const auto first = cells.begin() + begin, end = first + shape.columns;
-    const Parts parts(std::vector<CellT>(first, end), partsOf(shape, true));
     std::stable_sort(first, end, [&](const CellT& a, const CellT& b) {
       return (lives(a) ? parts.of(a.x) : parts.count) < (lives(b) ? parts.of(b.x) : parts.count);
     });
@@ -242,45 +242,59 @@ void maintain(GridShape shape, std::vector<CellT>& cells) {
   for (int axis = 2; axis >= 0; --axis) sortLines(shape, cells, axis);
 }
 
-// Leaves the cells as they are before the last step, too: `moved` counts from there.
+// What an upkeep makes of the cells; and, for what it says about them, as they were before its last step, and the
+// extent that the rows were indexed by.
 template <class CellT>
-std::vector<CellT> arrange(GridShape shape, std::vector<CellT>& cells, Upkeep upkeep) {
+struct Arranged {
+  std::vector<CellT> was;
+  Extent x = kUnknown;
+};
+
+template <class CellT>
+Arranged<CellT> arrange(GridShape shape, std::vector<CellT>& cells, Upkeep upkeep) {
   std::vector<CellT> was = cells;
+  Extent x = kUnknown;
   switch (upkeep) {
     case Upkeep::maintain:
       maintain(shape, cells);
       break;
     case Upkeep::settle:
-      do {
+      for (bool first = true; first || placesById(was) != placesById(cells); first = false) {
         was = cells;
         maintain(shape, cells);
-      } while (placesById(was) != placesById(cells));
+        if (!first) x = extentOf(cells, 0);
+      }
       break;
     case Upkeep::transpose:
       for (int axis = 2; axis >= 0; --axis) comparePairs(shape, cells, axis);
       break;
-    case Upkeep::rebuild:
+    case Upkeep::rebuild:  // indexes its rows twice, the second time by what the first has shown
       packByOrder(shape, cells);
       sortLines(shape, cells, 0);
+      was = cells;
+      x = extentOf(cells, 0);
       break;
     case Upkeep::refresh:
-      splitRows(shape, cells);
+      splitRows(shape, cells, Parts(x, partsOf(shape, true)));
       break;
     case Upkeep::pack:
     case Upkeep::repack: {
       packByOrder(shape, cells);
       sortLines(shape, cells, 0);
       const Extent y = extentOf(cells, 1), z = extentOf(cells, 2);
+      x = extentOf(cells, 0);
+      const Parts parts(x, partsOf(shape, true));
+      splitRows(shape, cells, parts);
       was = cells;
       if (upkeep == Upkeep::repack) {
         for (CellT& cell : cells) stretch(cell);
       }
       packByLevels(shape, cells, y, z);
-      splitRows(shape, cells);
+      splitRows(shape, cells, parts);
       break;
     }
   }
-  return was;
+  return {was, x};
 }
 
 void insertIfNear(std::vector<uint32_t>& ids, const Cell& cell, const Cell& centre, float radius) {
@@ -322,12 +336,13 @@ void sortAlong(std::vector<CellT>& line, int axis) {
 
 template <class CellT>
 test::GridStateOf<CellT> upkeep(GridShape shape, std::vector<CellT> cells, Upkeep upkeep) {
-  const std::vector<uint32_t> was = placesById(arrange(shape, cells, upkeep));
+  const Arranged<CellT> arranged = arrange(shape, cells, upkeep);
+  const std::vector<uint32_t> was = placesById(arranged.was);
   test::GridStateOf<CellT> state;
   state.cells = cells;
   state.cellOf = placesById(cells);
   for (size_t id = 0; id < was.size(); ++id) state.moved += was[id] != state.cellOf[id];
-  if (upkeep != Upkeep::transpose) describe(shape, state, partsOf(shape, keepsPacked(upkeep)));
+  if (upkeep != Upkeep::transpose) describe(shape, state, Parts(arranged.x, partsOf(shape, keepsPacked(upkeep))));
   return state;
 }
 

@@ -41,8 +41,8 @@ class maintain : public ::testing::Test {
         high = std::max(high, cell.y);
       }
       EXPECT_EQ(v.near.ngrid.living[row], living) << "row " << row;
-      EXPECT_EQ(v.near.ngrid.line[row].low, low) << "row " << row;
-      EXPECT_EQ(v.near.ngrid.line[row].high, high) << "row " << row;
+      EXPECT_EQ(v.near.ngrid.height[row].low, low) << "row " << row;
+      EXPECT_EQ(v.near.ngrid.height[row].high, high) << "row " << row;
     }
   }
 };
