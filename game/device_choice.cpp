@@ -32,7 +32,7 @@ std::unique_ptr<Simulation> makeSimulation(const DeviceChoice& device, const Sim
 
 void setComputing(SimulationConfig& config, const Options& options) {
   config.gather = options.gather.value_or(Gather::exact);
-  config.sort = options.sort.value_or(Sort::bitonic);
+  config.sort = options.sort;
   config.broadPhase = options.broadPhase;
   config.threads = options.threads;
   config.order = options.order;
@@ -42,10 +42,10 @@ void setComputing(SimulationConfig& config, const Options& options) {
 void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file) {
   const auto refuse = [&](const std::string& asked) {
     throw UserError(ExitCode::badUsage, file + " was recorded with '--gather " + nameOf(config.gather) + " --sort " +
-                                            nameOf(config.sort) + "': leave out " + asked + ".");
+                                            nameOf(config.sortInUse()) + "': leave out " + asked + ".");
   };
   const bool exact = config.gather == Gather::exact;  // then the sort is no matter of the game's
-  const bool otherSort = options.sort && *options.sort != config.sort && !(exact && options.sort != Sort::oddEven);
+  const bool otherSort = options.sort && *options.sort != config.sortInUse() && !(exact && options.sort != Sort::oddEven);
   const bool other = (options.gather && *options.gather != config.gather) || otherSort;
   if (options.thesis && other) refuse("'--thesis'");
   if (options.gather && *options.gather != config.gather)
@@ -55,13 +55,13 @@ void setComputingOf(SimulationConfig& config, const Options& options, const std:
     refuse(std::string("'--broad-phase ") + nameOf(options.broadPhase) + "'");
   Options agreed = options;
   agreed.gather = config.gather;
-  if (!exact) agreed.sort = config.sort;
+  if (!exact) agreed.sort = config.sortInUse();
   setComputing(config, agreed);
 }
 
-std::string neighboursText(Gather gather, Sort sort) {
+std::string neighboursText(Gather gather, std::optional<Sort> sort) {
   if (gather == Gather::exact) return "";
-  return std::string(nameOf(gather)) + " gather, " + nameOf(sort) + " sort";
+  return std::string(nameOf(gather)) + " gather, " + nameOf(sort.value_or(usualSort(gather))) + " sort";
 }
 
 }  // namespace gw

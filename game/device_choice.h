@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "game/command_line.h"
@@ -27,7 +28,8 @@ void setComputing(SimulationConfig& config, const Options& options);
 // command line asks for another game than the one in the file.
 void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file);
 
-// How neighbours are found, when that is felt: "adaptive gather, bitonic sort"; empty for an exact game.
-std::string neighboursText(Gather gather, Sort sort);
+// How neighbours are found, when that is felt: "adaptive gather, bitonic sort"; empty for an exact game. No sort: the
+// usual one.
+std::string neighboursText(Gather gather, std::optional<Sort> sort);
 
 }  // namespace gw

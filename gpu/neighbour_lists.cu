@@ -39,6 +39,12 @@ NeighbourLists::NeighbourLists(Queue& queue, uint32_t cells, uint32_t capacity) 
   neighbours_ = Buffer<uint32_t>(queue, capacity);
 }
 
+std::vector<uint32_t> NeighbourLists::downloadNeighbours() const {
+  std::vector<uint32_t> ids(total_);
+  neighbours_.download(ids.data(), total_);
+  return ids;
+}
+
 size_t NeighbourLists::bytes() const {
   return (begin_.size() + neighbours_.size()) * sizeof(uint32_t) + 2 * counts_.size() * sizeof(uint64_t);
 }

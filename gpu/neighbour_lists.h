@@ -97,6 +97,9 @@ class NeighbourLists {
   const uint32_t* begin() const { return begin_.data(); }            // [cells + 1], by id
   const uint32_t* neighbours() const { return neighbours_.data(); }  // [total()] ids
   uint32_t total() const { return total_; }
+  // The same on the host. Wait for the queue.
+  std::vector<uint32_t> downloadBegin() const { return begin_.download(); }
+  std::vector<uint32_t> downloadNeighbours() const;
   size_t bytes() const;  // of device memory held
 
   // Lists who is within radius (m) of whom by any of the searches, whose cells these are. Waits for the queue. Throws

@@ -173,7 +173,7 @@ class NGrid {
  private:
   void sortRows(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool built);
   void splitRows(Queue& queue, CellT* d_cells, const CellT* d_from, uint32_t* d_cellOf, bool built);
-  void findReach(Queue& queue, bool built);
+  void findReach(Queue& queue, bool built, const uint32_t* d_hold);
   void requirePacked() const;
   RowsFound found() const;
   GridTotals totals() const;

@@ -160,10 +160,12 @@ struct FindReach {
   GridSlab* slab;
   GridTotals *slabTotals, *totals;  // [slabs], null in 2D; of all
   RowsFound found;
+  const uint32_t* hold;
   uint32_t rows, built;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
+    if (hold && *hold) return;  // or the index would be read by another scale than it was written by
     const uint32_t each = (rows + kLanes - 1) / kLanes, base = team.index * rows;
     team.phase([&](uint32_t lane) {
       GridTotals mine = noTotals();
@@ -215,10 +217,12 @@ struct FindSlabReach {
   uint16_t* firstSlab;
   GridTotals* totals;
   const GridTotals* slabTotals;
+  const uint32_t* hold;
   uint32_t slabs, parts, built;
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared&) const {
+    if (hold && *hold) return;
     team.phase([&](uint32_t lane) {
       if (lane != 0) return;
       GridTotals all = noTotals();
@@ -272,19 +276,19 @@ void NGrid<CellT>::settle(Queue& queue, CellT* d_cells, uint32_t* d_cellOf) {
 template <class CellT>
 void NGrid<CellT>::sortRows(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool built) {
   forEachTeam(queue, dimensions_.lines(), SortRows<CellT>{d_cells, d_cellOf, found(), d_hold, dimensions_.columns});
-  findReach(queue, built);
+  findReach(queue, built, d_hold);
 }
 
 template <class CellT>
-void NGrid<CellT>::findReach(Queue& queue, bool built) {
+void NGrid<CellT>::findReach(Queue& queue, bool built, const uint32_t* d_hold) {
   const uint32_t slabs = dimensions_.slabs;
   forEachTeam(queue, slabs,
               FindReach{reach_.data(), firstRow_.data(), slab_.data(), slabTotals_.data(), totals_.data(), found(),
-                        dimensions_.rows, built});
+                        d_hold, dimensions_.rows, built});
   if (!kFlat<CellT>) {
-    forEachTeam(
-        queue, 1,
-        FindSlabReach{slab_.data(), firstSlab_.data(), totals_.data(), slabTotals_.data(), slabs, parts_, built});
+    forEachTeam(queue, 1,
+                FindSlabReach{slab_.data(), firstSlab_.data(), totals_.data(), slabTotals_.data(), d_hold, slabs,
+                              parts_, built});
   }
   known_ = true;
 }
@@ -295,7 +299,7 @@ template void NGrid<Cell>::settle(Queue&, Cell*, uint32_t*);
 template void NGrid<Cell3>::settle(Queue&, Cell3*, uint32_t*);
 template void NGrid<Cell>::sortRows(Queue&, Cell*, uint32_t*, const uint32_t*, bool);
 template void NGrid<Cell3>::sortRows(Queue&, Cell3*, uint32_t*, const uint32_t*, bool);
-template void NGrid<Cell>::findReach(Queue&, bool);
-template void NGrid<Cell3>::findReach(Queue&, bool);
+template void NGrid<Cell>::findReach(Queue&, bool, const uint32_t*);
+template void NGrid<Cell3>::findReach(Queue&, bool, const uint32_t*);
 
 }  // namespace gw::GW_DEVICE

@@ -206,7 +206,7 @@ void NGrid<CellT>::requirePacked() const {
 template <class CellT>
 void NGrid<CellT>::splitRows(Queue& queue, CellT* d_cells, const CellT* d_from, uint32_t* d_cellOf, bool built) {
   forEachTeam(queue, dimensions_.lines(), SplitRows<CellT>{d_cells, d_from, d_cellOf, found(), dimensions_.columns});
-  findReach(queue, built);
+  findReach(queue, built, nullptr);
   rounds_ = 1;
 }
 

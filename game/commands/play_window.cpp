@@ -189,7 +189,7 @@ class PlaySession {
     if (options_.autopilot == Autopilot::expert) hud.banner = "EXPERT AUTOPILOT";
     // Another game than the usual one: say so.
     const std::string neighbours =
-        neighboursText(options_.gather.value_or(Gather::exact), options_.sort.value_or(Sort::bitonic));
+        neighboursText(options_.gather.value_or(Gather::exact), options_.sort);
     if (!neighbours.empty()) hud.banner += (hud.banner.empty() ? "" : "  ") + neighbours;
     drawHud(canvas, run_->monitor(), rules, hud);
     if (practising()) practice_->drawPanel(canvas, rules, hints);

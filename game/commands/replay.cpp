@@ -86,7 +86,7 @@ class ReplaySession {
     hud.enemies = config_.enemies;
     hud.banner = "REPLAY  " + minutesSeconds(run_->last().tick) + " / " + minutesSeconds(replay_.ticks());
     if (options_.speed != 1) hud.banner += "  x" + oneDecimal(options_.speed);
-    const std::string neighbours = neighboursText(config_.gather, config_.sort);
+    const std::string neighbours = neighboursText(config_.gather, config_.sortInUse());
     if (!neighbours.empty()) hud.banner += "  " + neighbours;
     if (differs_) hud.banner += "  DIFFERS FROM TICK " + std::to_string(*differs_);
     drawHud(canvas, run_->monitor(), config_.rules, hud);

@@ -45,7 +45,7 @@ std::unique_ptr<Run> RunFactory::make(Mode mode, uint64_t seed, Autopilot autopi
     header.autopilot = autopilot;
     header.options = options_.text;
     header.gather = config.gather;
-    if (config.gather != Gather::exact) header.sort = config.sort;
+    if (config.gather != Gather::exact) header.sort = config.sortInUse();
     recordPath_ = numbered(options_.recordPath, ++recordings_);
     recorder.emplace(recordPath_, header, texts_);
   }

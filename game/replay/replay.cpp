@@ -12,7 +12,7 @@ SimulationConfig replayConfig(const Replay& replay) {
   config.enemies = replay.header.enemies;
   config.autopilot = Autopilot::none;
   config.gather = replay.header.gather;
-  config.sort = replay.header.sort;
+  if (config.gather != Gather::exact) config.sort = replay.header.sort;
   return config;
 }
 

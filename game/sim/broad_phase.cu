@@ -23,10 +23,11 @@ Kept keptBy(Sort sort) {
 }
 
 const SimulationConfig& checked(const SimulationConfig& config) {
-  if (config.gather == Gather::exact && config.sort == Sort::oddEven) {
+  const Sort sort = config.sortInUse();
+  if (config.gather == Gather::exact && sort == Sort::oddEven) {
     throw std::invalid_argument("An exact gather needs rows in order, which odd-even transposition does not keep.");
   }
-  if (config.gather != Gather::exact && config.sort != Sort::bitonic && config.sort != Sort::oddEven) {
+  if (config.gather != Gather::exact && sort != Sort::bitonic && sort != Sort::oddEven) {
     throw std::invalid_argument("A window needs columns in order, which a full sort and frozen rows do not keep.");
   }
   if (config.gather != Gather::exact && config.broadPhase != BroadPhase::ngrid) {
@@ -57,7 +58,7 @@ std::vector<uint32_t> startArrangement(NDimensions dimensions) {
 Neighbourhood::Neighbourhood(Queue& queue, const SimulationConfig& config, float width_m, float height_m)
     : broadPhase_(checked(config).broadPhase),
       gather_(config.gather),
-      sort_(config.sort),
+      sort_(config.sortInUse()),
       dimensions_(dimensionsOf(config)) {
   const uint32_t n = dimensions_.cells();
   if (broadPhase_ == BroadPhase::ngrid) ngrid_ = NGrid<Cell>(queue, dimensions_, keptBy(sort_));

@@ -26,6 +26,10 @@ enum class BroadPhase : uint32_t { ngrid, grid, gridHashed, bruteForce };
 // the state: hashed, and kept in snapshots and replays.
 enum class Gather : uint32_t { exact, adaptive, fixed };
 enum class Sort : uint32_t { bitonic, oddEven, full, frozen };
+// The fastest that was measured (docs/ngrid-performance.md); of windows the thesis's.
+constexpr Sort usualSort(Gather gather) {
+  return gather == Gather::exact ? Sort::frozen : Sort::bitonic;
+}
 enum class Autopilot : uint32_t { none, novice, expert };
 
 struct SimulationConfig {
@@ -35,7 +39,8 @@ struct SimulationConfig {
   uint32_t enemies = 8192;  // how many live enemies fit
   Autopilot autopilot = Autopilot::none;
   Gather gather = Gather::exact;
-  Sort sort = Sort::bitonic;
+  std::optional<Sort> sort{};  // none: the usual one of the gather
+  Sort sortInUse() const { return sort.value_or(usualSort(gather)); }
 
   // Sparks of what happens, for whoever draws. They cost a little of every tick, and no bit of the game
   // depends on them.

@@ -26,7 +26,7 @@ class DeviceSimulation final : public Simulation {
       particleList_ = ParticleList(queue_, kParticleRing);
     }
     for (const bool sortInFull : {false, true}) {
-      if (sortInFull && config_.sort != Sort::frozen) continue;
+      if (sortInFull && !frozenRows()) continue;
       for (uint32_t parity = 0; parity < 2; ++parity) {
         graphs_[sortInFull][parity] = TickGraph(queue_, [this, parity, sortInFull] { runStages(parity, sortInFull); });
       }
@@ -39,7 +39,7 @@ class DeviceSimulation final : public Simulation {
     }
     state_.inputs.upload(&input, 1, launched_ % kTicksInFlight);
     const uint32_t parity = launched_ % 2;
-    const bool sortInFull = rowsWidened_ > kWorthRebuilding && config_.sort == Sort::frozen;
+    const bool sortInFull = rowsWidened_ > kWorthRebuilding && frozenRows();
     if (timing_) {
       runStages(parity, sortInFull);
     } else {
@@ -126,6 +126,10 @@ class DeviceSimulation final : public Simulation {
 #endif
 
  private:
+  bool frozenRows() const {
+    return config_.broadPhase == BroadPhase::ngrid && config_.sortInUse() == Sort::frozen;
+  }
+
   void runStages(uint32_t parity, bool sortInFull) {
     state_.neighbourhood().sortInFull(sortInFull);
     step(queue_, state_, parity, config_.autopilot, timer_, config_.particles ? &particles_ : nullptr);

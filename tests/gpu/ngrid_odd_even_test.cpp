@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 #include "gpu/ngrid.h"
+#include "gpu/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
+#include "tests/naive/gpu_oracles.h"
 #include "tests/naive/ngrid_oracles.h"
 
 namespace gw::test {
@@ -152,6 +156,33 @@ TEST(OddEven, IsLeftAloneWhileOnHoldAsIsTheFullUpkeep) {
     EXPECT_EQ(keep(1), idsOf(cells));
     EXPECT_EQ(keep(7), idsOf(cells));
     EXPECT_NE(keep(0), idsOf(cells));
+  }
+}
+
+// What is known of the rows stays what belongs to them: exact searches go on finding everybody.
+TEST(OddEven, OnHoldTheRowsStayKnown) {
+  const GridShape shape{60, 20};
+  cpu::Queue queue({2});
+  cpu::NGrid<Cell> grid(queue, {shape.columns, shape.rows});
+  cpu::Buffer<Cell> cells(queue, shape.cells());
+  cpu::Buffer<uint32_t> cellOf(queue, shape.cells()), hold(queue, 1);
+  auto places = makeCells({Layout::uniform, shape, 10, 6});
+  cells.upload(places);
+  grid.rebuild(queue, cells.data(), cellOf.data());
+  // Everybody moves far to the left but for one: rows are indexed by what was known before that.
+  places = cells.download();
+  for (Cell& cell : places) cell.x = cell.id == 5 ? 300.0f : 0.25f * cell.x - 50.0f;
+  cells.upload(places);
+  grid.maintain(queue, cells.data(), cellOf.data());
+  hold.upload(std::vector<uint32_t>{1});
+  grid.maintain(queue, cells.data(), cellOf.data(), hold.data());
+  const auto arranged = cells.download();
+  const cpu::RowGather<Cell> search{grid.view(cells.data())};
+  for (const Query& query : makeQueries(arranged, 200, 7)) {
+    std::vector<uint32_t> ids;
+    search({query.x, query.y}, query.radius, [&](const Cell& cell, uint32_t, Float2) { ids.push_back(cell.id); });
+    std::sort(ids.begin(), ids.end());
+    ASSERT_EQ(ids, naive::neighbours(arranged, query));
   }
 }
 

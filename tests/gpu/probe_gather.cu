@@ -314,7 +314,7 @@ test::Lists lists(const ExecOptions& options, test::GridShape shape, const std::
   const auto build = [&](const auto& search) { lists.build(queue, search, searched.cells.data(), radius); };
   askRightly(searched, build, shape, method);
   countLaunches(6);
-  return {downloaded(queue, lists.begin(), n + 1), downloaded(queue, lists.neighbours(), lists.total())};
+  return {lists.downloadBegin(), lists.downloadNeighbours()};
 }
 
 }  // namespace

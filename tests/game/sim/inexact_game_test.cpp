@@ -97,7 +97,7 @@ TEST_P(inexact_game, is_played_again_from_its_replay) {
   replay.header.enemies = config.enemies;
   replay.header.seed = config.seed;
   replay.header.gather = config.gather;
-  replay.header.sort = config.sort;
+  replay.header.sort = config.sortInUse();
   replay.rules = readRuleTexts(GW_ASSETS_DIR);
   const auto reports = play(*cpu::makeSimulation(config), 600);  // from the start of a game: the bot's own waves
   EXPECT_GT(reports.back().enemies, 0u);
