@@ -137,7 +137,7 @@ class VerbParser {
     values_.choice("--gather", kGathers, "how the NGrid is asked; adaptive and fixed miss some, in a game of their own",
                    play ? "exact" : "the replay's", [&](uint32_t v) { options_.gather = Gather(v); });
     values_.choice("--sort", kSorts, "how the NGrid is kept in order",
-                   play ? "frozen, or bitonic where a gather is inexact" : "the replay's",
+                   play ? "frozen, or bitonic where a gather is inexact" : "the replay's where it matters, else frozen",
                    [&](uint32_t v) { options_.sort = Sort(v); });
     values_.flag("--thesis", "the thesis's own NGrid: --gather adaptive --sort bitonic",
                  [&] { options_.thesis = true; });

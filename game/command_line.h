@@ -26,8 +26,8 @@ struct Options {
   uint32_t enemies = 8192;
   Autopilot autopilot = Autopilot::none;
 
-  // How neighbours are found (play, replay, verify). None: not asked for, so what a replay says, else exact and
-  // bitonic. Inexact gathers change the game; a replay cannot be asked for others than it was recorded with.
+  // How neighbours are found (play, replay, verify). None: not asked for, so what a replay says, else exact, and
+  // usualSort(). Inexact gathers change the game; a replay cannot be asked for others than it was recorded with.
   std::optional<Gather> gather;
   std::optional<Sort> sort;
   bool thesis = false;  // they were asked for by --thesis

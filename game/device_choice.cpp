@@ -40,12 +40,14 @@ void setComputing(SimulationConfig& config, const Options& options) {
 }
 
 void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file) {
-  const auto refuse = [&](const std::string& asked) {
-    throw UserError(ExitCode::badUsage, file + " was recorded with '--gather " + nameOf(config.gather) + " --sort " +
-                                            nameOf(config.sortInUse()) + "': leave out " + asked + ".");
-  };
   const bool exact = config.gather == Gather::exact;  // then the sort is no matter of the game's
-  const bool otherSort = options.sort && *options.sort != config.sortInUse() && !(exact && options.sort != Sort::oddEven);
+  const auto refuse = [&](const std::string& asked) {
+    const std::string sort = exact ? "" : std::string(" --sort ") + nameOf(config.sortInUse());
+    throw UserError(ExitCode::badUsage, file + " was recorded with '--gather " + nameOf(config.gather) + sort +
+                                            "': leave out " + asked + ".");
+  };
+  const bool otherSort =
+      options.sort && *options.sort != config.sortInUse() && !(exact && options.sort != Sort::oddEven);
   const bool other = (options.gather && *options.gather != config.gather) || otherSort;
   if (options.thesis && other) refuse("'--thesis'");
   if (options.gather && *options.gather != config.gather)

@@ -6,7 +6,7 @@
 //
 // On cpu the items are cut into slices, each of which counts its own bins (Knuth, TAOCP 5.2 D); a scan over the
 // bins, and within a bin over the slices, tells each slice where its items of each bin go. O(count + slices * bins),
-// five launches.
+// four launches.
 #pragma once
 
 #include "gpu/bits.h"

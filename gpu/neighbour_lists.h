@@ -5,8 +5,8 @@
 //   neighbours()  4 7      0     1 3 9      of id 2: neighbours()[3 .. 6)
 //
 // A list holds ids in ascending order, without the entity itself, so that it is the same on every device and with
-// every exact search, however the cells are arranged. The dead have empty lists. Two launches count, two add
-// up, two fill: O(searches + sorting of the lists).
+// every exact search, however the cells are arranged. The dead have empty lists. One launch counts, four add
+// up, one fills: O(searches + sorting of the lists).
 #pragma once
 
 #include "gpu/neighbour.h"

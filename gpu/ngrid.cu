@@ -92,6 +92,7 @@ struct MeasureLines {
 
 template <class CellT>
 StepSums measure(Queue& queue, const CellT* d_cells, NDimensions dimensions) {
+  requireCells(d_cells);
   Buffer<StepSums> sums(queue, dimensions.lines());
   forEachTeam(queue, dimensions.lines(), MeasureLines<CellT>{sums.data(), d_cells, dimensions});
   StepSums all{};
@@ -216,6 +217,7 @@ Steps NGrid<CellT>::steps(Queue& queue, const CellT* d_cells) {
 
 template <class CellT>
 uint32_t NGrid<CellT>::quarantine(Queue& queue, CellT* d_cells) {
+  requireCells(d_cells);
   const uint32_t n = dimensions_.cells();
   Buffer<uint64_t> buried(queue, n), sum(queue, 1);
   Reduce reduce(queue, n);

@@ -19,7 +19,7 @@ struct NDimensions {
 };
 
 // All of these throw std::invalid_argument, and say which argument and the limit, when n is 0 or more cells than lines
-// of kLongestLine can hold, or a length is not as described.
+// of kLongestLine (by chooseDimensions(), rows of 2,032) can hold, or a length is not as described.
 
 // For exact gathers of `radius` (m, finite, above 0) among n entities spread over a box of `size` (m, finite, above 0;
 // a z of 0 makes it 2D): the rows and slabs for which a cost model expects the fastest search. What a search pays is

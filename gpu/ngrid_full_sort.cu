@@ -15,7 +15,8 @@ enum class Axis : uint32_t { x, y, z };
 
 template <class CellT>
 GW_FN uint32_t bitsAlong(const CellT& cell, Axis axis) {
-  return orderedBits(axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : heightOf(placeOf(cell)));
+  // + 0.0f makes both zeros +0: they are one place.
+  return orderedBits((axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : heightOf(placeOf(cell))) + 0.0f);
 }
 
 // One item: one cell. A key is what to sort by, above the cell; the keys stand in the order of ids.

@@ -244,8 +244,12 @@ struct FindSlabReach {
 
 }  // namespace
 
-void requireBuffers(const void* d_cells, const void* d_cellOf) {
+void requireCells(const void* d_cells) {
   if (!d_cells) throw std::invalid_argument("d_cells is null; give the grid a buffer with a cell for each of its own.");
+}
+
+void requireBuffers(const void* d_cells, const void* d_cellOf) {
+  requireCells(d_cells);
   if (!d_cellOf) throw std::invalid_argument("d_cellOf is null; give the grid a buffer with a word for each cell.");
 }
 

@@ -80,7 +80,8 @@ GW_BODY inline void writeRow(const RowsFound& found, uint32_t line, const Living
   found.moved[line] = box.moved;
 }
 
-// Throws std::invalid_argument when one is null.
+// Throw std::invalid_argument when one is null.
+void requireCells(const void* d_cells);
 void requireBuffers(const void* d_cells, const void* d_cellOf);
 
 }  // namespace gw::GW_DEVICE

@@ -101,6 +101,9 @@ TEST(NGridRefusals, NameTheArgument) {
               "d_cellOf is null; give the grid a buffer with a word for each cell.");
   }
   EXPECT_NE(refusal<std::invalid_argument>([&] { grid.maintain(queue, nullptr, cellOf.data()); }), "not refused");
+  EXPECT_NE(refusal<std::invalid_argument>([&] { grid.report(queue, nullptr); }), "not refused");
+  EXPECT_NE(refusal<std::invalid_argument>([&] { grid.steps(queue, nullptr); }), "not refused");
+  EXPECT_NE(refusal<std::invalid_argument>([&] { grid.quarantine(queue, nullptr); }), "not refused");
   EXPECT_NE(refusal<std::invalid_argument>([&] { grid.transpose(queue, cells.data(), nullptr); }), "not refused");
   for (Call call : {Call(&NGrid<Cell>::pack), Call(&NGrid<Cell>::refresh)}) {
     EXPECT_EQ(refusal<std::logic_error>([&] { (grid.*call)(queue, cells.data(), cellOf.data()); }),

@@ -1,7 +1,6 @@
 #include "tests/naive/ngrid_oracles.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -43,12 +42,6 @@ void stretch(Cell3& cell) {
   cell.x *= test::kStretch;
   cell.y *= test::kStretch;
   cell.z *= test::kStretch;
-}
-
-// -0 before +0, as the keys of the full sort have it.
-int64_t totalOrder(float value) {
-  const int32_t bits = std::bit_cast<int32_t>(value);
-  return bits < 0 ? int64_t(-1) - (int64_t(bits) & 0x7fffffff) : int64_t(bits);
 }
 
 constexpr int kOrder[3][3] = {{0, 1, 2}, {1, 0, 2}, {2, 1, 0}};
@@ -185,9 +178,9 @@ void describe(GridShape shape, test::GridStateOf<CellT>& state, const Parts& par
 // All by z, cut into slabs, each by y, cut into rows.
 template <class CellT>
 void packByOrder(GridShape shape, std::vector<CellT>& cells) {
-  const auto keyed = [](const CellT& c) { return std::tuple(totalOrder(along(c, 1)), totalOrder(c.x), c.id); };
+  const auto keyed = [](const CellT& c) { return std::tuple(along(c, 1), c.x, c.id); };
   std::sort(cells.begin(), cells.end(), [&](const CellT& a, const CellT& b) {
-    return std::tuple(totalOrder(along(a, 2)), keyed(a)) < std::tuple(totalOrder(along(b, 2)), keyed(b));
+    return std::tuple(along(a, 2), keyed(a)) < std::tuple(along(b, 2), keyed(b));
   });
   const ptrdiff_t slabCells = ptrdiff_t(shape.columns * shape.rows);
   for (ptrdiff_t begin = 0; begin < ptrdiff_t(cells.size()); begin += slabCells) {
