@@ -34,7 +34,7 @@
 namespace gw::GW_DEVICE {
 
 // See NGrid::rowsWidened().
-inline constexpr float kWorthRebuilding = 1.3f;
+inline constexpr float kWorthRebuilding = 1.05f;
 
 struct Interval {
   float low, high;  // m; +infinity and -infinity when nothing is in it

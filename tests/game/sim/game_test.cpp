@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "gpu/ngrid.h"
 #include "tests/game/sim/game_runs.h"
 
 namespace gw::test {
@@ -106,7 +107,7 @@ TEST(game, frozen_rows_are_sorted_in_full_when_they_have_widened) {
     simulation->tick(inputs[t]);
     const float now = simulation->report().rowsWidened;
     ASSERT_TRUE(now > 0.0f && now < 100.0f) << t;
-    if (before > 1.3f) {
+    if (before > cpu::kWorthRebuilding) {
       ASSERT_EQ(now, 1.0f) << t;
       ++sorted;
     }
