@@ -1,4 +1,4 @@
-// More than 400 lines, since all kinds of upkeep and what they say about rows share the order of lines and the parts of x.
+// More than 400 lines: all kinds of upkeep, and what they say about rows, share the order of lines and the parts of x.
 #include "tests/naive/ngrid_oracles.h"
 
 #include <algorithm>
