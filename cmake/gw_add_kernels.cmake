@@ -4,16 +4,22 @@
 # <name>_cuda (namespace gw::cuda). <name> links both, and defines GW_HAVE_CUDA for who links it when there are two.
 # The C++ side goes through a generated one-line .cpp, because one file cannot have two LANGUAGEs in one folder: both
 # targets silently become C++. Installed with the library: there it links gpuwars::gpu by itself.
-function(gw_add_kernels name)
-  cmake_parse_arguments(A "" "" "LINK" ${ARGN})
-  set(stubs)
-  foreach(cu IN LISTS A_UNPARSED_ARGUMENTS)
-    set(stub ${CMAKE_CURRENT_BINARY_DIR}/cpu/${cu}.cpp)
+# With GW_CUDA_STAND_IN both are C++.
+function(gw_write_stubs stubs device) # a.cu ...
+  set(written)
+  foreach(cu IN LISTS ARGN)
+    set(stub ${CMAKE_CURRENT_BINARY_DIR}/${device}/${cu}.cpp)
     if(NOT EXISTS ${stub})
       file(WRITE ${stub} "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${cu}\"\n")
     endif()
-    list(APPEND stubs ${stub})
+    list(APPEND written ${stub})
   endforeach()
+  set(${stubs} ${written} PARENT_SCOPE)
+endfunction()
+
+function(gw_add_kernels name)
+  cmake_parse_arguments(A "" "" "LINK" ${ARGN})
+  gw_write_stubs(stubs cpu ${A_UNPARSED_ARGUMENTS})
   if(TARGET gpuwars::gpu)
     set(common gpuwars::gpu)
   else()
@@ -28,7 +34,15 @@ function(gw_add_kernels name)
   target_link_libraries(${name} INTERFACE ${name}_cpu)
 
   if(GW_HAVE_CUDA)
-    add_library(${name}_cuda STATIC ${A_UNPARSED_ARGUMENTS})
+    set(sources ${A_UNPARSED_ARGUMENTS})
+    if(GW_CUDA_STAND_IN)
+      gw_write_stubs(sources cuda ${A_UNPARSED_ARGUMENTS})
+    endif()
+    add_library(${name}_cuda STATIC ${sources})
+    if(GW_CUDA_STAND_IN)
+      target_compile_definitions(${name}_cuda PRIVATE GW_STAND_IN_KERNELS=1)
+      target_compile_options(${name}_cuda PRIVATE -include cuda_runtime.h) # as nvcc does by itself
+    endif()
     set_target_properties(${name}_cuda PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF
       CUDA_RUNTIME_LIBRARY Static)
     target_compile_definitions(${name}_cuda PRIVATE GW_DEVICE=cuda)

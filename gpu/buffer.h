@@ -30,7 +30,8 @@ class Buffer {
   T* data() const { return data_; }  // a device address: only kernels and copies may follow it
   size_t size() const { return count_; }
 
-  // Copies count elements from the host to offset; a pinned source must stay until the queue has passed, any other has been read.
+  // Copies count elements from the host to offset; a pinned source must stay until the queue has passed, any other has
+  // been read.
   void upload(const T* source, size_t count, size_t offset = 0) {
     copyBytes(*queue_, data_ + offset, source, count * sizeof(T), Copy::toDevice);
   }

@@ -13,7 +13,7 @@
 #error "Results are bit for bit the same everywhere only without -ffast-math; leave that flag out."
 #endif
 
-#if defined(__CUDACC__)
+#if defined(__CUDACC__) || defined(GW_STAND_IN_KERNELS)
 #define GW_ON_CUDA 1
 #define GW_FN __host__ __device__ inline  // arithmetic that host code of the same device may call too
 #define GW_MEMBER __host__ __device__     // the same for members

@@ -9,4 +9,9 @@ struct DeviceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The device has no room for what was asked of it, and is otherwise well.
+struct DeviceOutOfMemory : DeviceError {
+  using DeviceError::DeviceError;
+};
+
 }  // namespace gw

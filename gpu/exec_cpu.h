@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <new>
 
 #include "gpu/exec_options.h"
 #include "gpu/guarded_memory.h"
@@ -22,6 +23,7 @@ class Queue {
   WorkerPool pool;
   GuardedMemory memory;
   VisitOrder order;
+  uint64_t launches = 0;  // so far
 };
 
 // The i-th of n things to visit. Both factors are prime and larger than any n used with them, so the
@@ -46,6 +48,7 @@ inline constexpr uint32_t kChunk = 256;
 
 template <class Kernel>
 void forEach(Queue& queue, Count count, const Kernel& kernel) {
+  ++queue.launches;
   GuardedMemory::Access access(queue.memory);
   struct Job {
     const Kernel& kernel;
@@ -85,6 +88,7 @@ struct Team {
 
 template <class Kernel>
 void forEachTeam(Queue& queue, uint32_t teams, const Kernel& kernel) {
+  ++queue.launches;
   GuardedMemory::Access access(queue.memory);
   struct Job {
     const Kernel& kernel;
@@ -110,12 +114,30 @@ inline void copyBytes(Queue& queue, void* destination, const void* source, size_
   if (bytes) std::memcpy(destination, source, bytes);
 }
 
+inline void enqueueCopy(Queue& queue, void* destination, const void* source, size_t bytes, Copy kind) {
+  copyBytes(queue, destination, source, bytes, kind);
+}
+
 inline void* allocateBytes(Queue& queue, size_t bytes) {
   return queue.memory.allocate(bytes);
 }
 inline void releaseBytes(Queue& queue, void* pointer) {
   queue.memory.release(pointer);
 }
+
+inline void* allocateHostBytes(Queue&, size_t bytes) {
+  return ::operator new(bytes);
+}
+inline void releaseHostBytes(Queue&, void* pointer) {
+  ::operator delete(pointer);
+}
+
+// A place in the queue's work that the host can wait for; here all work is done when it has been launched.
+class Fence {
+ public:
+  void place(Queue&) {}
+  void wait() {}
+};
 
 // Order-safe: integers only. They return nothing, so that no result can depend on who came first.
 inline void atomicAddTo(uint32_t& word, uint32_t amount) {

@@ -3,50 +3,47 @@
 
 #include <cuda_runtime.h>
 
-#include <string>
-
-#include "gpu/device_error.h"
+#include "gpu/cuda_check.h"
 #include "gpu/exec_options.h"
 
 namespace gw::GW_DEVICE {
 
-inline void check(cudaError_t error, const char* what) {
-  if (error == cudaSuccess) return;
-  cudaGetLastError();  // forget it: whoever catches this and goes on must not meet it again
-  throw DeviceError(std::string("CUDA failed at ") + what + ": " + cudaGetErrorString(error) +
-                    "; use the cpu device instead (in the game: --device cpu).");
-}
+using gw::check;
 
 class Queue {
  public:
-  explicit Queue(const ExecOptions& options) : blockSize(options.blockSize) {
+  explicit Queue(const ExecOptions& options) : blockSize(options.blockSize), checksLaunches(options.checkLaunches) {
     check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
   }
   ~Queue() { cudaStreamDestroy(stream); }
   Queue(const Queue&) = delete;
   Queue& operator=(const Queue&) = delete;
 
-  void synchronise() { check(cudaStreamSynchronize(stream), "waiting for the stream"); }
+  void synchronise() { check(cudaStreamSynchronize(stream), "waiting for the device"); }
 
   cudaStream_t stream = nullptr;
   uint32_t blockSize;
+  bool checksLaunches;
+  uint64_t launches = 0;  // so far; captured ones count once
 };
 
-// Launch errors show at once; what fails while running shows at the next synchronisation. Debug builds
-// synchronise after every launch, except while the tick is being captured.
-inline void checkLaunch(Queue& queue, const char* kernel) {
-  check(cudaGetLastError(), kernel);
-#ifndef NDEBUG
-  cudaStreamCaptureStatus capturing = cudaStreamCaptureStatusNone;
-  check(cudaStreamIsCapturing(queue.stream, &capturing), "asking whether the stream is captured");
-  if (capturing == cudaStreamCaptureStatusNone) queue.synchronise();
-#else
-  (void)queue;
-#endif
+// Launch errors show at once; what fails while running shows at the next synchronisation, which is here when the queue
+// checks launches. Such a queue is never captured (TickGraph).
+template <class... Parameters, class... Arguments>
+void launch(Queue& queue, uint32_t blocks, uint32_t threads, size_t shared_bytes, void (*kernel)(Parameters...),
+            const Arguments&... arguments) {
+  cudaLaunchConfig_t config{};
+  config.gridDim = dim3(blocks);
+  config.blockDim = dim3(threads);
+  config.dynamicSmemBytes = shared_bytes;
+  config.stream = queue.stream;
+  check(cudaLaunchKernelEx(&config, kernel, arguments...), "launching a kernel");
+  ++queue.launches;
+  if (queue.checksLaunches) check(cudaStreamSynchronize(queue.stream), "running a kernel");
 }
 
 template <class Kernel>
-__global__ void forEachKernel(const Kernel kernel, Count count) {
+__global__ void forEachKernel(const Kernel kernel, const Count count) {
   const uint32_t n = count.d_live ? (*count.d_live < count.capacity ? *count.d_live : count.capacity) : count.capacity;
   const uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i < n) kernel(i);
@@ -56,8 +53,7 @@ template <class Kernel>
 void forEach(Queue& queue, Count count, const Kernel& kernel) {
   if (count.capacity == 0) return;
   const uint32_t block = count.capacity < queue.blockSize ? count.capacity : queue.blockSize;
-  forEachKernel<<<(count.capacity + block - 1) / block, block, 0, queue.stream>>>(kernel, count);
-  checkLaunch(queue, "forEach");
+  launch(queue, (count.capacity + block - 1) / block, block, 0, forEachKernel<Kernel>, kernel, count);
 }
 
 template <uint32_t kLanes>
@@ -71,10 +67,12 @@ struct Team {
   }
 };
 
+// As many as the launch asks for.
+extern __shared__ __align__(16) unsigned char sharedBytes[];
+
 template <class Kernel>
 __global__ void forEachTeamKernel(const Kernel kernel) {
-  extern __shared__ __align__(16) unsigned char raw[];
-  kernel(Team<Kernel::kLanes>{blockIdx.x}, *reinterpret_cast<typename Kernel::Shared*>(raw));
+  kernel(Team<Kernel::kLanes>{blockIdx.x}, *reinterpret_cast<typename Kernel::Shared*>(sharedBytes));
 }
 
 template <class Kernel>
@@ -85,30 +83,60 @@ void forEachTeam(Queue& queue, uint32_t teams, const Kernel& kernel) {
     check(cudaFuncSetAttribute(forEachTeamKernel<Kernel>, cudaFuncAttributeMaxDynamicSharedMemorySize, int(kBytes)),
           "asking for shared memory");
   }
-  forEachTeamKernel<<<teams, Kernel::kLanes, kBytes, queue.stream>>>(kernel);
-  checkLaunch(queue, "forEachTeam");
+  launch(queue, teams, Kernel::kLanes, kBytes, forEachTeamKernel<Kernel>, kernel);
 }
 
 enum class Copy { toDevice, toHost, onDevice };
+
+inline void enqueueCopy(Queue& queue, void* destination, const void* source, size_t bytes, Copy kind) {
+  const cudaMemcpyKind kinds[] = {cudaMemcpyHostToDevice, cudaMemcpyDeviceToHost, cudaMemcpyDeviceToDevice};
+  check(cudaMemcpyAsync(destination, source, bytes, kinds[int(kind)], queue.stream), "copying");
+}
 
 // The one way in which bytes cross between host and device. Ordered on the queue; copies to the host
 // have arrived when it returns.
 inline void copyBytes(Queue& queue, void* destination, const void* source, size_t bytes, Copy kind) {
   if (bytes == 0) return;
-  const cudaMemcpyKind kinds[] = {cudaMemcpyHostToDevice, cudaMemcpyDeviceToHost, cudaMemcpyDeviceToDevice};
-  check(cudaMemcpyAsync(destination, source, bytes, kinds[int(kind)], queue.stream), "copying");
+  enqueueCopy(queue, destination, source, bytes, kind);
   if (kind == Copy::toHost) queue.synchronise();
 }
 
 inline void* allocateBytes(Queue& queue, size_t bytes) {
   void* pointer = nullptr;
   check(cudaMalloc(&pointer, bytes ? bytes : 1), "allocating device memory");
-  check(cudaMemsetAsync(pointer, 0, bytes ? bytes : 1, queue.stream), "clearing device memory");
+  const cudaError_t cleared = cudaMemsetAsync(pointer, 0, bytes ? bytes : 1, queue.stream);
+  if (cleared != cudaSuccess) cudaFree(pointer);
+  check(cleared, "clearing device memory");
   return pointer;
 }
 inline void releaseBytes(Queue&, void* pointer) {
   cudaFree(pointer);
 }
+
+// Host memory that the device copies from and to by itself; it is lost with the device.
+inline void* allocateHostBytes(Queue&, size_t bytes) {
+  void* pointer = nullptr;
+  check(cudaMallocHost(&pointer, bytes), "allocating pinned memory");
+  return pointer;
+}
+inline void releaseHostBytes(Queue&, void* pointer) {
+  cudaFreeHost(pointer);
+}
+
+// A place in the queue's work that the host can wait for.
+class Fence {
+ public:
+  Fence() { check(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming), "making an event"); }
+  ~Fence() { cudaEventDestroy(event_); }
+  Fence(const Fence&) = delete;
+  Fence& operator=(const Fence&) = delete;
+
+  void place(Queue& queue) { check(cudaEventRecord(event_, queue.stream), "recording an event"); }
+  void wait() { check(cudaEventSynchronize(event_), "waiting for a tick"); }
+
+ private:
+  cudaEvent_t event_ = nullptr;
+};
 
 // Order-safe: integers only. They return nothing, so that no result can depend on who came first.
 __device__ inline void atomicAddTo(uint32_t& word, uint32_t amount) {

@@ -14,6 +14,11 @@ struct ExecOptions {
   VisitOrder order = VisitOrder::forward;
   bool protectMemory = false;  // cpu device: memory is PROT_NONE outside launches and declared copies
   uint32_t blockSize = 128;    // cuda device: threads per block of forEach
+#ifdef NDEBUG
+  bool checkLaunches = false;  // cuda device: wait for every launch, and say which one failed
+#else
+  bool checkLaunches = true;
+#endif
 };
 
 }  // namespace gw

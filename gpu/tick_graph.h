@@ -1,5 +1,6 @@
 // A fixed sequence of launches, captured once and replayed every tick. On cuda a CUDA graph: one call per
-// tick instead of one per launch. On cpu there is nothing to save, and replaying calls the sequence.
+// tick instead of one per launch. On cpu there is nothing to save, and replaying calls the sequence; so does a
+// cuda queue that checks every launch.
 // Captured pointers are frozen: whoever ping-pongs buffers captures one graph per parity.
 #pragma once
 
@@ -15,31 +16,49 @@ class TickGraph {
   TickGraph() = default;
 
 #if GW_ON_CUDA
-  TickGraph(Queue& queue, const std::function<void()>& launches) {
+  TickGraph(Queue& queue, std::function<void()> launches) {
+    if (queue.checksLaunches) {
+      launches_ = std::move(launches);
+      return;
+    }
     check(cudaStreamBeginCapture(queue.stream, cudaStreamCaptureModeThreadLocal), "beginning to capture the tick");
-    launches();
     cudaGraph_t graph = nullptr;
+    try {
+      launches();
+    } catch (...) {
+      cudaStreamEndCapture(queue.stream, &graph);
+      if (graph) cudaGraphDestroy(graph);
+      throw;
+    }
     check(cudaStreamEndCapture(queue.stream, &graph), "capturing the tick");
     const cudaError_t made = cudaGraphInstantiate(&graph_, graph, 0);
     cudaGraphDestroy(graph);
     check(made, "instantiating the tick's graph");
+    // Now, so that the first tick is not late.
+    check(cudaGraphUpload(graph_, queue.stream), "uploading the tick's graph");
   }
   ~TickGraph() {
     if (graph_) cudaGraphExecDestroy(graph_);
   }
   TickGraph(TickGraph&& other) noexcept {
-    std::swap(graph_, other.graph_);
+    swap(other);
   }
   TickGraph& operator=(TickGraph&& other) noexcept {
-    std::swap(graph_, other.graph_);
+    swap(other);
     return *this;
   }
 
   void replay(Queue& queue) {
+    if (launches_) return launches_();
     check(cudaGraphLaunch(graph_, queue.stream), "launching the tick's graph");
   }
 
  private:
+  void swap(TickGraph& other) noexcept {
+    std::swap(graph_, other.graph_);
+    std::swap(launches_, other.launches_);
+  }
+
   cudaGraphExec_t graph_ = nullptr;
 #else
   TickGraph(Queue&, std::function<void()> launches) : launches_(std::move(launches)) {}
@@ -49,8 +68,8 @@ class TickGraph {
   }
 
  private:
-  std::function<void()> launches_;
 #endif
+  std::function<void()> launches_;
 };
 
 }  // namespace gw::GW_DEVICE

@@ -12,7 +12,7 @@ play_packages=(
 )
 # The test frameworks, a virtual display with keys and screenshots, the second compiler, the tools of the gates.
 check_packages=(
-  libgtest-dev libbenchmark-dev librapidcheck-dev libnanoflann-dev
+  libgtest-dev libbenchmark-dev librapidcheck-dev libnanoflann-dev libboost-context-dev
   xvfb xauth xdotool imagemagick
   clang binutils python3 git util-linux
 )

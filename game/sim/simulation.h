@@ -51,7 +51,8 @@ struct SimulationConfig {
   uint32_t threads = 0;  // cpu device: 0 takes what the machine has
   VisitOrder order = VisitOrder::forward;
   bool protectMemory = false;  // cpu device: device memory is unreadable outside launches and copies
-  uint32_t blockSize = 128;    // cuda device
+  uint32_t blockSize = 128;    // cuda device: threads per block
+  bool checkLaunches = ExecOptions{}.checkLaunches;  // cuda device: wait for and check every launch; no graph
 };
 
 // Sound events of one tick, counted by kind and by side (left, middle, right of the ship).
@@ -170,7 +171,8 @@ class Simulation {
   // hold every id once).
   virtual void restore(const Snapshot& snapshot) = 0;
 
-  // Writes the sprites within the view, the most dangerous last, and the instance count. Not a tick stage.
+  // Writes the sprites within the view, the most dangerous last, and the instance count; done when it returns. Not a
+  // tick stage.
   virtual void drawList(const DrawView& view, const DrawTarget& target) = 0;
 
   // Writes the streaks of the particles within the view, the newest first, as they are when this many ticks
@@ -189,10 +191,15 @@ class Simulation {
   virtual void enableStageTimes(bool on) = 0;
   virtual std::vector<StageTime> stageTimes() const = 0;
 
+  // Kernels of the last tick that was put together. Copies of the records and events are nodes beside them.
+  virtual uint32_t launchesPerTick() const = 0;
+
   virtual uint32_t capacity() const = 0;  // ids
   virtual float worldWidth_m() const = 0;
   virtual float worldHeight_m() const = 0;
   virtual std::string deviceName() const = 0;
+  // Whether draw targets are addresses of the cuda device; else of the host.
+  virtual bool onCuda() const = 0;
   // Before GL calls: workers of the cpu device stop spinning, so that the driver's threads get the cores.
   virtual void park() = 0;
 

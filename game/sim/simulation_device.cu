@@ -1,4 +1,5 @@
 // The simulation of one device: queues ticks, reads reports, takes and restores snapshots.
+#include <array>
 #include <cstring>
 #include <stdexcept>
 
@@ -17,7 +18,7 @@ class DeviceSimulation final : public Simulation {
  public:
   explicit DeviceSimulation(const SimulationConfig& config)
       : config_(config),
-        queue_({config.threads, config.order, config.protectMemory, config.blockSize}),
+        queue_({config.threads, config.order, config.protectMemory, config.blockSize, config.checkLaunches}),
         state_(queue_, config),
         drawList_(queue_, state_.limits().capacity),
         candidates_(queue_, state_.limits().capacity) {
@@ -25,26 +26,21 @@ class DeviceSimulation final : public Simulation {
       particles_ = Particles(queue_, state_.limits().capacity);
       particleList_ = ParticleList(queue_, kParticleRing);
     }
-    for (const bool sortInFull : {false, true}) {
-      if (sortInFull && !frozenRows()) continue;
-      for (uint32_t parity = 0; parity < 2; ++parity) {
-        graphs_[sortInFull][parity] = TickGraph(queue_, [this, parity, sortInFull] { runStages(parity, sortInFull); });
-      }
-    }
+    capture(plain_);
+    queue_.synchronise();  // the first tick is as fast as any
   }
 
   void tick(const InputRecord& input) override {
     if (launched_ - read_ >= kTicksInFlight) {
       throw std::logic_error("Too many ticks are queued: read a report first.");
     }
-    state_.inputs.upload(&input, 1, launched_ % kTicksInFlight);
-    const uint32_t parity = launched_ % 2;
+    const uint32_t slot = launched_ % kTicksInFlight;
+    state_.inputs.host(slot) = input;  // its last reader's report has been read
     const bool sortInFull = rowsWidened_ > kWorthRebuilding && frozenRows();
-    if (timing_) {
-      runStages(parity, sortInFull);
-    } else {
-      graphs_[sortInFull][parity].replay(queue_);
-    }
+    Captured& captured = (timer_.enabled() ? timed_ : plain_)[sortInFull][slot];
+    captured.graph.replay(queue_);
+    fences_[slot].place(queue_);
+    marks_[slot] = &captured.marks;
     ++launched_;
     if (sortInFull) {
       rowsWidened_ = 0.0f;
@@ -54,8 +50,10 @@ class DeviceSimulation final : public Simulation {
 
   TickReport report() override {
     if (read_ == launched_) throw std::logic_error("No tick is queued: there is nothing to report.");
-    TickReport report;
-    state_.reports.download(&report, 1, read_ % kTicksInFlight);
+    const uint32_t slot = read_ % kTicksInFlight;
+    fences_[slot].wait();
+    const TickReport report = state_.reports.host(slot);
+    timer_.collect(*marks_[slot]);
     ++read_;
     if (read_ > sorted_) rowsWidened_ = report.rowsWidened;  // earlier ones are from before the last full sort
     return report;
@@ -70,11 +68,13 @@ class DeviceSimulation final : public Simulation {
 
   void drawList(const DrawView& view, const DrawTarget& target) override {
     drawList_.run(queue_, next(), view, target);
+    queue_.synchronise();  // whoever reads it next is on no queue of ours
   }
 
   void particleList(const DrawView& view, float sinceTick_ticks, const ParticleTarget& target) override {
     if (!config_.particles) return;
     particleList_.run(queue_, next(), particles_.view(launched_), view, sinceTick_ticks, target);
+    queue_.synchronise();
   }
 
   std::vector<Particle> particles() const override {
@@ -97,8 +97,11 @@ class DeviceSimulation final : public Simulation {
   CandidateCount countCandidates() override { return candidates_.run(queue_, next()); }
 
   void enableStageTimes(bool on) override {
-    timing_ = on;
     timer_.enable(on);
+    if (on && !timedCaptured_) {
+      capture(timed_);
+      timedCaptured_ = true;
+    }
   }
 
   std::vector<StageTime> stageTimes() const override {
@@ -107,13 +110,19 @@ class DeviceSimulation final : public Simulation {
     return times;
   }
 
+  uint32_t launchesPerTick() const override { return launchesPerTick_; }
   uint32_t capacity() const override { return state_.limits().capacity; }
   float worldWidth_m() const override { return state_.limits().width_m; }
   float worldHeight_m() const override { return state_.limits().height_m; }
 
 #if GW_ON_CUDA
   std::string deviceName() const override {
-    return "cuda";
+    cudaDeviceProp properties{};
+    check(cudaGetDeviceProperties(&properties, 0), "asking for the device's name");
+    return std::string("cuda, ") + properties.name;
+  }
+  bool onCuda() const override {
+    return true;
   }
   void park() override {}
 #else
@@ -123,6 +132,9 @@ class DeviceSimulation final : public Simulation {
   void park() override {
     queue_.pool.park();
   }
+  bool onCuda() const override {
+    return false;
+  }
 #endif
 
  private:
@@ -130,9 +142,31 @@ class DeviceSimulation final : public Simulation {
     return config_.broadPhase == BroadPhase::ngrid && config_.sortInUse() == Sort::frozen;
   }
 
-  void runStages(uint32_t parity, bool sortInFull) {
+  // A graph for each slot of the rings, and so for each parity too, with and without a full sort of frozen rows.
+  struct Captured {
+    TickGraph graph;
+    StageMarks marks;
+  };
+  using CapturedTicks = std::array<std::array<Captured, kTicksInFlight>, 2>;
+
+  void capture(CapturedTicks& ticks) {
+    for (const bool sortInFull : {false, true}) {
+      if (sortInFull && !frozenRows()) continue;
+      for (uint32_t slot = 0; slot < kTicksInFlight; ++slot) {
+        Captured& captured = ticks[sortInFull][slot];
+        timer_.captureInto(captured.marks);
+        captured.graph = TickGraph(queue_, [this, slot, sortInFull] { runTick(slot, sortInFull); });
+      }
+    }
+  }
+
+  void runTick(uint32_t slot, bool sortInFull) {
+    const uint64_t before = queue_.launches;
+    state_.inputs.toDevice(slot);
     state_.neighbourhood().sortInFull(sortInFull);
-    step(queue_, state_, parity, config_.autopilot, timer_, config_.particles ? &particles_ : nullptr);
+    step(queue_, state_, slot % 2, config_.autopilot, timer_, config_.particles ? &particles_ : nullptr);
+    state_.reports.toHost(slot);
+    launchesPerTick_ = uint32_t(queue_.launches - before);
   }
 
   // What the next tick will see: its cells are where the last tick ended.
@@ -148,13 +182,16 @@ class DeviceSimulation final : public Simulation {
   Particles particles_;
   ParticleList particleList_;
   Candidates candidates_;
-  TickGraph graphs_[2][2];  // [with a full sort of frozen rows][parity]
+  CapturedTicks plain_, timed_;
+  bool timedCaptured_ = false;
+  std::array<Fence, kTicksInFlight> fences_;
+  std::array<const StageMarks*, kTicksInFlight> marks_{};
+  uint32_t launchesPerTick_ = 0;
   uint32_t launched_ = 0, read_ = 0;
   // Frozen rows are sorted in full when a report says that they have widened: how to compute a tick is the host's to
   // choose, since it changes no bit of it.
   uint32_t sorted_ = 0;  // ticks launched when they were sorted last
   float rowsWidened_ = 0.0f;
-  bool timing_ = false;
 };
 
 }  // namespace

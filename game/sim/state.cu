@@ -27,15 +27,16 @@ Limits limitsOf(const SimulationConfig& config) {
 }  // namespace
 
 GameState::GameState(Queue& queue, const SimulationConfig& config)
-    : limits_(limitsOf(config)), neighbourhood_(queue, config, limits_.width_m, limits_.height_m) {
+    : inputs(queue, Simulation::kTicksInFlight),
+      reports(queue, Simulation::kTicksInFlight),
+      limits_(limitsOf(config)),
+      neighbourhood_(queue, config, limits_.width_m, limits_.height_m) {
   const uint32_t n = limits_.capacity;
   birthScan_ = Scan(queue, n);
   hashSum_ = Reduce(queue, n);
   tables = Buffer<Tables>(queue, 1);
   master = Buffer<Master>(queue, 1);
   scratch = Buffer<TickScratch>(queue, 1);
-  inputs = Buffer<InputRecord>(queue, Simulation::kTicksInFlight);
-  reports = Buffer<TickReport>(queue, Simulation::kTicksInFlight);
   cellOf = Buffer<uint32_t>(queue, n);
   velocityPrevious = Buffer<Float4>(queue, n);
   state = Buffer<Uint4>(queue, n);
@@ -93,8 +94,8 @@ View GameState::view(uint32_t parity) const {
   v.tables = tables.data();
   v.master = master.data();
   v.scratch = scratch.data();
-  v.inputs = inputs.data();
-  v.reports = reports.data();
+  v.inputs = inputs.device();
+  v.reports = reports.device();
   v.cells = cells[front].data();
   v.moved = cells[back].data();
   v.cellOf = cellOf.data();

@@ -10,6 +10,7 @@
 #include "game/sim/master.h"
 #include "game/sim/simulation.h"
 #include "game/sim/state_tables.h"
+#include "gpu/record_ring.h"
 #include "gpu/scan_reduce.h"
 
 namespace gw::GW_DEVICE {
@@ -99,8 +100,8 @@ class GameState {
   Buffer<Tables> tables;
   Buffer<Master> master;
   Buffer<TickScratch> scratch;
-  Buffer<InputRecord> inputs;
-  Buffer<TickReport> reports;
+  RecordRing<InputRecord> inputs;
+  RecordRing<TickReport> reports;
   Buffer<Cell> cells[2];
   Buffer<uint32_t> cellOf;
   Buffer<Float4> forceEnergy[2], directionMass[2], velocityPrevious;

@@ -46,7 +46,8 @@ class autopilot : public ::testing::Test {
 TEST_F(autopilot, none_takes_the_records_of_the_ring_in_turn) {
   for (uint32_t tick = 0; tick < 10; ++tick) {
     const InputRecord wanted{int16_t(tick * 100), int16_t(-int(tick)), uint16_t(tick * 7), uint16_t(tick % 4)};
-    fixture.state().inputs.upload(&wanted, 1, tick % Simulation::kTicksInFlight);
+    fixture.state().inputs.host(tick % Simulation::kTicksInFlight) = wanted;
+    fixture.state().inputs.toDevice(tick % Simulation::kTicksInFlight);
     TickScratch s = fixture.scratch();
     s.sequence = tick;
     fixture.setScratch(s);

@@ -1,0 +1,208 @@
+#include "driver.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+namespace gw::stand_in {
+namespace {
+
+constexpr unsigned char kNeverWritten = 0xA5, kLost = 0xDB;
+
+[[noreturn]] void refuseOption(const std::string& option) {
+  std::fprintf(stderr, "GW_CUDA_STAND_IN: '%s' is not known; tests/cuda_stand_in/stand_in.h lists what is.\n",
+               option.c_str());
+  std::exit(2);
+}
+
+Fault faultFrom(const std::string& option) {
+  Fault fault;
+  std::istringstream text(option.substr(6));
+  std::string number, error;
+  if (!std::getline(text, fault.call, ':') || !std::getline(text, number, ':') || !std::getline(text, error)) {
+    refuseOption(option);
+  }
+  fault.number = std::strtoull(number.c_str(), nullptr, 10);
+  fault.error = cudaError_t(std::atoi(error.c_str()));
+  return fault;
+}
+
+Options optionsFromEnvironment() {
+  Options options;
+  const char* given = std::getenv("GW_CUDA_STAND_IN");
+  std::istringstream text(given ? given : "");
+  for (std::string option; std::getline(text, option, ',');) {
+    if (option == "eager") {
+      options.eager = true;
+    } else if (option == "reversed") {
+      options.reversed = true;
+    } else if (option == "apart") {
+      options.apart = true;
+    } else if (option.starts_with("fault=")) {
+      options.fault = faultFrom(option);
+    } else if (!option.empty()) {
+      refuseOption(option);
+    }
+  }
+  return options;
+}
+
+// After these the context is dead: CUDA's documentation says so of each.
+bool isSticky(cudaError_t error) {
+  switch (error) {
+    case cudaErrorECCUncorrectable:
+    case cudaErrorIllegalAddress:
+    case cudaErrorLaunchTimeout:
+    case cudaErrorLaunchFailure:
+    case cudaErrorUnknown:
+      return true;
+    default:
+      return false;
+  }
+}
+
+size_t inPages(size_t bytes) {
+  const size_t page = size_t(sysconf(_SC_PAGESIZE));
+  return (bytes + page - 1) / page * page;
+}
+
+}  // namespace
+
+std::recursive_mutex& lock() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+Driver& driver() {
+  static Driver* driver = [] {
+    auto* made = new Driver;  // never destroyed: destructors of others may still call
+    made->options = optionsFromEnvironment();
+    return made;
+  }();
+  return *driver;
+}
+
+void restart(const Options& options) {
+  const std::lock_guard<std::recursive_mutex> locked(lock());
+  Driver& d = driver();
+  for (auto& [address, block] : d.blocks) munmap(block.mapped, block.mapped_bytes);
+  for (CUstream_st* stream : d.streams) delete stream;
+  for (CUevent_st* event : d.events) delete event;
+  d = Driver{};
+  d.options = options;
+}
+
+cudaError_t failed(cudaError_t error) {
+  driver().last = error;
+  return error;
+}
+
+cudaError_t entering(const char* call) {
+  Driver& d = driver();
+  ++d.calls;
+  const uint64_t byName = ++d.byName[call];
+  if (d.sticky != cudaSuccess) return failed(d.sticky);
+  const Fault& fault = d.options.fault;
+  const bool any = fault.call == "*";
+  if (fault.number == 0 || !(any || fault.call == call) || (any ? d.calls : byName) != fault.number) return cudaSuccess;
+  d.struck = call;
+  if (isSticky(fault.error)) {
+    d.sticky = fault.error;
+    loseMemory();
+  }
+  return failed(fault.error);
+}
+
+cudaError_t enteringOutsideCapture(const char* call) {
+  const cudaError_t error = entering(call);
+  if (error != cudaSuccess) return error;
+  return driver().capturing > 0 ? failed(cudaErrorStreamCaptureUnsupported) : cudaSuccess;
+}
+
+CUstream_st* streamOf(cudaStream_t stream) {
+  Driver& d = driver();
+  if (stream == nullptr) return &d.nobody;
+  return d.streams.count(stream) ? stream : nullptr;
+}
+
+void enqueue(CUstream_st& stream, Work work) {
+  if (stream.captured) {
+    stream.captured->nodes.push_back(std::move(work));
+    return;
+  }
+  stream.queued.push_back(std::move(work));
+  ++stream.enqueued;
+  if (driver().options.eager) finish(stream);
+}
+
+void finishUpTo(CUstream_st& stream, uint64_t work) {
+  while (stream.done < work && !stream.queued.empty()) {
+    const Work next = std::move(stream.queued.front());
+    stream.queued.pop_front();
+    next();
+    ++stream.done;
+  }
+}
+
+void finish(CUstream_st& stream) {
+  finishUpTo(stream, stream.enqueued);
+}
+
+void finishAll() {
+  finish(driver().nobody);
+  for (CUstream_st* stream : driver().streams) finish(*stream);
+}
+
+// So that it ends where the next page begins, which is not to be touched.
+void* allocate(size_t bytes, bool pinned) {
+  const size_t room = inPages(bytes), mapped_bytes = room + inPages(1);
+  void* mapped = mmap(nullptr, mapped_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) return nullptr;
+  mprotect(static_cast<char*>(mapped) + room, inPages(1), PROT_NONE);
+  char* begin = static_cast<char*>(mapped) + (room - (bytes + 15) / 16 * 16);
+  std::memset(begin, kNeverWritten, bytes);
+  driver().blocks[uintptr_t(begin)] = {mapped, mapped_bytes, bytes, pinned};
+  return begin;
+}
+
+bool release(void* pointer) {
+  auto& blocks = driver().blocks;
+  const auto found = blocks.find(uintptr_t(pointer));
+  if (found == blocks.end()) return false;
+  munmap(found->second.mapped, found->second.mapped_bytes);
+  blocks.erase(found);
+  return true;
+}
+
+bool isPinned(const void* pointer) {
+  const auto& blocks = driver().blocks;
+  auto after = blocks.upper_bound(uintptr_t(pointer));
+  if (after == blocks.begin()) return false;
+  --after;
+  return after->second.pinned && uintptr_t(pointer) < after->first + after->second.bytes;
+}
+
+void loseMemory() {
+  for (auto& [address, block] : driver().blocks) std::memset(reinterpret_cast<void*>(address), kLost, block.bytes);
+  driver().nobody.queued.clear();
+  for (CUstream_st* stream : driver().streams) stream->queued.clear();
+}
+
+uint64_t calls() {
+  return driver().calls;
+}
+const std::map<std::string, uint64_t>& callsByName() {
+  return driver().byName;
+}
+std::string struck() {
+  return driver().struck;
+}
+uint64_t kernelsRun() {
+  return driver().kernels;
+}
+
+}  // namespace gw::stand_in

@@ -1,0 +1,91 @@
+// What the parts of the stand-in share: one driver, one lock around it.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "stand_in.h"
+
+namespace gw::stand_in {
+
+using Work = std::function<void()>;
+
+}  // namespace gw::stand_in
+
+struct CUgraph_st {
+  std::vector<gw::stand_in::Work> nodes;
+};
+struct CUgraphExec_st {
+  std::vector<gw::stand_in::Work> nodes;
+};
+
+struct CUstream_st {
+  std::deque<gw::stand_in::Work> queued;
+  uint64_t enqueued = 0, done = 0;
+  CUgraph_st* captured = nullptr;
+};
+
+struct CUevent_st {
+  CUstream_st* stream = nullptr;  // where it was recorded last; null: nowhere
+  uint64_t at = 0;                // done when so much of it is
+  bool timed = true;
+  double happened_ms = 0;
+};
+
+namespace gw::stand_in {
+
+struct Block {
+  void* mapped;
+  size_t mapped_bytes;
+  size_t bytes;
+  bool pinned;
+};
+
+struct Driver {
+  Options options;
+  uint64_t calls = 0, kernels = 0;
+  std::map<std::string, uint64_t> byName;
+  std::string struck;
+  cudaError_t sticky = cudaSuccess, last = cudaSuccess;
+  std::map<uintptr_t, Block> blocks;
+  std::set<CUstream_st*> streams;
+  std::set<CUevent_st*> events;
+  std::map<const void*, int> sharedLimits;  // by kernel: what it was granted
+  CUstream_st nobody;                       // the default stream
+  unsigned capturing = 0;
+};
+
+std::recursive_mutex& lock();
+Driver& driver();
+
+// Counts a call, and says whether it is to fail: every call begins with this.
+cudaError_t entering(const char* call);
+// The same, for calls that must not be made while a stream is captured.
+cudaError_t enteringOutsideCapture(const char* call);
+cudaError_t failed(cudaError_t error);
+
+// Null for a stream that is none.
+CUstream_st* streamOf(cudaStream_t stream);
+void enqueue(CUstream_st& stream, Work work);
+void finish(CUstream_st& stream);
+void finishUpTo(CUstream_st& stream, uint64_t work);
+void finishAll();
+
+void* allocate(size_t bytes, bool pinned);
+bool release(void* pointer);
+bool isPinned(const void* pointer);
+void loseMemory();
+
+}  // namespace gw::stand_in
+
+#define GW_ENTER(call)                                                      \
+  const std::lock_guard<std::recursive_mutex> locked(gw::stand_in::lock()); \
+  if (const cudaError_t refused = gw::stand_in::entering(call); refused != cudaSuccess) return refused
+#define GW_ENTER_OUTSIDE_CAPTURE(call)                                      \
+  const std::lock_guard<std::recursive_mutex> locked(gw::stand_in::lock()); \
+  if (const cudaError_t refused = gw::stand_in::enteringOutsideCapture(call); refused != cudaSuccess) return refused

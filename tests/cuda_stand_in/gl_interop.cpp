@@ -1,0 +1,106 @@
+// OpenGL interop: a registered buffer has memory of the stand-in beside it, which mapping fills and unmapping copies
+// back. Who writes after unmapping, or lets OpenGL draw before it, is found out: what is drawn is then the old picture.
+#include <GL/glew.h>
+
+#include <cstring>
+#include <set>
+
+#include "cuda_gl_interop.h"
+#include "driver.h"
+
+using namespace gw::stand_in;
+
+struct cudaGraphicsResource {
+  GLuint buffer;
+  size_t bytes;
+  unsigned flags;
+  void* beside;
+  bool mapped = false;
+};
+
+namespace {
+
+std::set<cudaGraphicsResource*>& resources() {
+  static auto* all = new std::set<cudaGraphicsResource*>;
+  return *all;
+}
+
+// Through a buffer of its own: what is registered need not allow to be mapped or written by the host.
+void copyIntoBuffer(const cudaGraphicsResource& resource) {
+  GLuint staging = 0;
+  glCreateBuffers(1, &staging);
+  glNamedBufferData(staging, GLsizeiptr(resource.bytes), resource.beside, GL_STREAM_COPY);
+  glCopyNamedBufferSubData(staging, resource.buffer, 0, 0, GLsizeiptr(resource.bytes));
+  glDeleteBuffers(1, &staging);
+}
+
+}  // namespace
+
+cudaError_t cudaGLGetDevices(unsigned* count, int* devices, unsigned room, cudaGLDeviceList) {
+  GW_ENTER("cudaGLGetDevices");
+  if (driver().options.apart) {
+    *count = 0;
+    return failed(cudaErrorNoDevice);
+  }
+  *count = 1;
+  if (room > 0) devices[0] = 0;
+  return cudaSuccess;
+}
+
+cudaError_t cudaGraphicsGLRegisterBuffer(cudaGraphicsResource_t* resource, GLuint buffer, unsigned flags) {
+  GW_ENTER_OUTSIDE_CAPTURE("cudaGraphicsGLRegisterBuffer");
+  GLint64 bytes = 0;
+  glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &bytes);
+  if (bytes <= 0) return failed(cudaErrorInvalidValue);
+  *resource = new cudaGraphicsResource{buffer, size_t(bytes), flags, allocate(size_t(bytes), false)};
+  resources().insert(*resource);
+  return cudaSuccess;
+}
+
+cudaError_t cudaGraphicsUnregisterResource(cudaGraphicsResource_t resource) {
+  GW_ENTER_OUTSIDE_CAPTURE("cudaGraphicsUnregisterResource");
+  if (resources().erase(resource) == 0) return failed(cudaErrorInvalidResourceHandle);
+  finishAll();
+  release(resource->beside);
+  delete resource;
+  return cudaSuccess;
+}
+
+cudaError_t cudaGraphicsMapResources(int count, cudaGraphicsResource_t* wanted, cudaStream_t stream) {
+  GW_ENTER_OUTSIDE_CAPTURE("cudaGraphicsMapResources");
+  if (!streamOf(stream)) return failed(cudaErrorInvalidResourceHandle);
+  for (int i = 0; i < count; ++i) {
+    if (!resources().count(wanted[i]) || wanted[i]->mapped) return failed(cudaErrorInvalidResourceHandle);
+  }
+  for (int i = 0; i < count; ++i) {
+    cudaGraphicsResource& resource = *wanted[i];
+    resource.mapped = true;
+    if (resource.flags & cudaGraphicsRegisterFlagsWriteDiscard) {
+      std::memset(resource.beside, 0xA5, resource.bytes);
+    } else {
+      glGetNamedBufferSubData(resource.buffer, 0, GLsizeiptr(resource.bytes), resource.beside);
+    }
+  }
+  return cudaSuccess;
+}
+
+cudaError_t cudaGraphicsUnmapResources(int count, cudaGraphicsResource_t* wanted, cudaStream_t stream) {
+  GW_ENTER_OUTSIDE_CAPTURE("cudaGraphicsUnmapResources");
+  CUstream_st* on = streamOf(stream);
+  if (!on) return failed(cudaErrorInvalidResourceHandle);
+  finish(*on);  // OpenGL's commands that follow see what this stream wrote, and no other
+  for (int i = 0; i < count; ++i) {
+    if (!resources().count(wanted[i]) || !wanted[i]->mapped) return failed(cudaErrorInvalidResourceHandle);
+    copyIntoBuffer(*wanted[i]);
+    wanted[i]->mapped = false;
+  }
+  return cudaSuccess;
+}
+
+cudaError_t cudaGraphicsResourceGetMappedPointer(void** pointer, size_t* bytes, cudaGraphicsResource_t resource) {
+  GW_ENTER("cudaGraphicsResourceGetMappedPointer");
+  if (!resources().count(resource) || !resource->mapped) return failed(cudaErrorInvalidResourceHandle);
+  *pointer = resource->beside;
+  *bytes = resource->bytes;
+  return cudaSuccess;
+}
