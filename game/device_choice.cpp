@@ -1,33 +1,68 @@
 #include "game/device_choice.h"
 
+#include <cstdio>
 #include <new>
 
+#include "game/failover.h"
 #include "game/user_error.h"
 #include "gpu/device_list.h"
 
 namespace gw {
 
-DeviceChoice chooseDevice(DeviceOption option) {
-  if (option == DeviceOption::cpu) return {};
-  const DeviceList list = listDevices();
-  if (list.hasCuda()) return {.cuda = true, .why = {}};
-  if (option == DeviceOption::cuda) {
-    throw UserError(ExitCode::failedRun, list.cudaMissing + " Choose --device cpu: it plays the same game.");
-  }
-  return {.cuda = false, .why = list.cudaMissing + " The cpu device plays the same game."};
-}
+namespace {
 
-std::unique_ptr<Simulation> makeSimulation(const DeviceChoice& device, const SimulationConfig& config) {
+std::unique_ptr<Simulation> makeOnCpu(const SimulationConfig& config) {
   try {
-#ifdef GW_HAVE_CUDA
-    if (device.cuda) return cuda::makeSimulation(config);
-#endif
-    (void)device;
     return cpu::makeSimulation(config);
   } catch (const std::bad_alloc&) {
     throw UserError(ExitCode::failedRun, "Not enough memory for " + std::to_string(config.enemies) +
                                              " enemies: choose a smaller --enemies.");
   }
+}
+
+void say(const std::string& sentence) {
+  std::fprintf(stderr, "%s\n", sentence.c_str());
+}
+
+}  // namespace
+
+DeviceChoice chooseDevice(DeviceOption option) {
+  if (option == DeviceOption::cpu) return {.cuda = false, .automatic = false};
+  const bool automatic = option != DeviceOption::cuda;
+  const DeviceList list = listDevices();
+  if (list.hasCuda()) return {.cuda = true, .automatic = automatic};
+  if (!automatic) {
+    throw UserError(ExitCode::failedRun, list.cudaMissing + " Choose --device cpu: it plays the same game.");
+  }
+  return {.cuda = false, .why = list.cudaMissing + " The cpu device plays the same game."};
+}
+
+std::unique_ptr<Simulation> makeSimulation([[maybe_unused]] const DeviceChoice& device,
+                                           const SimulationConfig& config) {
+#ifdef GW_HAVE_CUDA
+  if (device.cuda && !*device.lost) {
+    try {
+      return cuda::makeSimulation(config);
+    } catch (const DeviceError& error) {
+      if (!device.automatic) throw UserError(ExitCode::failedRun, error.what());
+      // What has no room for this game may have some for the next.
+      if (dynamic_cast<const DeviceOutOfMemory*>(&error) == nullptr) *device.lost = true;
+      say(std::string(error.what()) + " The cpu device plays instead.");
+    }
+  }
+#endif
+  return makeOnCpu(config);
+}
+
+std::unique_ptr<Simulation> makeLastingSimulation(const DeviceChoice& device, const SimulationConfig& config) {
+  std::unique_ptr<Simulation> first = makeSimulation(device, config);
+  if (!first->onCuda()) return first;
+  return std::make_unique<Failover>(
+      std::move(first), [config] { return makeOnCpu(config); },
+      [lost = device.lost](const std::string& why) {
+        *lost = true;
+        say(why + " The game goes on with the cpu device.");
+      });
 }
 
 void setComputing(SimulationConfig& config, const Options& options) {

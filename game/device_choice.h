@@ -1,6 +1,7 @@
 // Which device plays: what --device means on this machine.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,14 +13,21 @@ namespace gw {
 
 struct DeviceChoice {
   bool cuda = false;
-  std::string why;  // one line when `auto` had to take the cpu; else empty
+  bool automatic = true;  // --device auto: may end up elsewhere than it began
+  std::string why{};      // one line when `auto` had to take the cpu; else empty
+  // Shared by copies: the device failed, and no later game of this process tries it again.
+  std::shared_ptr<std::atomic<bool>> lost = std::make_shared<std::atomic<bool>>(false);
 };
 
 // Throws UserError when --device cuda is asked for and no such device answers.
 DeviceChoice chooseDevice(DeviceOption option);
 
-// Makes the game on the chosen device. Throws UserError when the device cannot hold it.
+// Makes the game on the chosen device. Throws UserError when the device cannot hold it; but when `auto` chose cuda, and
+// cuda fails at the start, says so on stderr and takes the cpu.
 std::unique_ptr<Simulation> makeSimulation(const DeviceChoice& device, const SimulationConfig& config);
+
+// The same for a game that somebody plays: one that goes on with the cpu when its device fails, and says so on stderr.
+std::unique_ptr<Simulation> makeLastingSimulation(const DeviceChoice& device, const SimulationConfig& config);
 
 // The rules and options that a run is made of: what the command line says about how to compute it.
 void setComputing(SimulationConfig& config, const Options& options);

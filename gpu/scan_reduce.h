@@ -2,18 +2,16 @@
 // half) as long as neither total passes 2^32 - 1.
 //
 // The scan stays in two levels: within blocks of kScanBlock, and over blocks. Readers add the two, which
-// saves a launch: ScanView::before(i) is the sum of all in[j], j < i.
+// saves a launch: ScanView::before(i) is the sum of all words before i. What is summed need not stand in memory:
+// run() takes whatever gives the word of an item, so that counting needs no launch of its own.
 #pragma once
 
+#include <type_traits>
+
 #include "gpu/buffer.h"
+#include "gpu/scan_block.h"
 
 namespace gw::GW_DEVICE {
-
-inline constexpr uint32_t kScanBlock = 1024;
-
-GW_FN uint32_t scanBlocks(uint32_t count) {
-  return (count + kScanBlock - 1) / kScanBlock;
-}
 
 struct ScanView {
   const uint64_t* within;        // [count] sum of the earlier items of the block
@@ -24,6 +22,12 @@ struct ScanView {
   GW_MEMBER uint64_t total() const { return before_block[blocks]; }
 };
 
+// The word of item i of an array.
+struct WordAt {
+  const uint64_t* words;
+  GW_BODY uint64_t operator()(uint32_t i) const { return words[i]; }
+};
+
 class Scan {
  public:
   Scan() = default;
@@ -32,10 +36,19 @@ class Scan {
   ScanView view() const;
   uint32_t count() const { return count_; }
 
-  // Reads in[0 .. count), leaves the result behind view(). Two launches, O(count).
-  void run(Queue& queue, const uint64_t* d_in);
+  // Of source(0) ... source(count - 1), each asked for once; leaves the result behind view(). Two launches, O(count).
+  template <class Source>
+    requires(!std::is_pointer_v<Source>)
+  void run(Queue& queue, const Source& source) {
+    forEachTeam(queue, scanBlocks(count_),
+                ScanWithinBlocks<Source>{within_.data(), beforeBlock_.data(), source, count_});
+    sumBlocks(queue);
+  }
+  void run(Queue& queue, const uint64_t* d_in) { run(queue, WordAt{d_in}); }
 
  private:
+  void sumBlocks(Queue& queue);
+
   uint32_t count_ = 0;
   Buffer<uint64_t> within_, beforeBlock_;
 };

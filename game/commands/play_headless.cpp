@@ -120,7 +120,7 @@ void takePicture(Run& run, const RunFactory& factory, const Options& options) {
   } catch (const std::runtime_error& error) {
     throw UserError(ExitCode::failedRun, error.what());
   }
-  WorldView view(factory.assets(), run.simulation().capacity(), factory.device().cuda);
+  WorldView view(factory.assets(), run.simulation().capacity(), run.simulation().onCuda());
   FollowCamera camera(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
   camera.snap(cameraTarget(run.last(), 1), float(size.width) / float(size.height));
   context->bindTarget();

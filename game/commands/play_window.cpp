@@ -49,7 +49,7 @@ class PlaySession {
     const bool atOnce = options.autopilot != Autopilot::none || options.ticks > 0;
     screen_ = atOnce ? Screen::play : Screen::title;
     atOnce ? startRun() : startAttract();
-    loop_.prepare(factory_.assets(), run_->simulation().capacity(), factory_.device().cuda);
+    loop_.prepare(factory_.assets(), run_->simulation().capacity(), run_->simulation().onCuda());
     device_ = run_->simulation().deviceName();
   }
 

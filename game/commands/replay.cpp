@@ -34,8 +34,8 @@ class ReplaySession {
         loop_(options, settings_) {
     setComputingOf(config_, options, options.files.front().string());
     config_.particles = true;
-    run_.emplace(makeSimulation(device_, config_), std::nullopt);
-    loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity(), device_.cuda);
+    run_.emplace(makeLastingSimulation(device_, config_), std::nullopt);
+    loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity(), run_->simulation().onCuda());
     const uint32_t from = std::min(options.fromTick, replay_.ticks());
     while (run_->last().tick < from && !run_->over()) tick();
     loop_.startAfresh(*run_);

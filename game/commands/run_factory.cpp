@@ -49,7 +49,7 @@ std::unique_ptr<Run> RunFactory::make(Mode mode, uint64_t seed, Autopilot autopi
     recordPath_ = numbered(options_.recordPath, ++recordings_);
     recorder.emplace(recordPath_, header, texts_);
   }
-  return std::make_unique<Run>(makeSimulation(device_, config), std::move(recorder));
+  return std::make_unique<Run>(makeLastingSimulation(device_, config), std::move(recorder));
 }
 
 uint64_t randomSeed() {

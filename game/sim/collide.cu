@@ -282,6 +282,15 @@ struct FinishShots {
   }
 };
 
+// One item: one cell. The two concern different kinds of entities, and wait for the same passes.
+struct RespondAndFinish {
+  View v;
+  GW_BODY void operator()(uint32_t i) const {
+    Respond{v}(i);
+    FinishShots{v}(i);
+  }
+};
+
 }  // namespace
 
 void collide(Queue& queue, const View& view) {
@@ -292,8 +301,7 @@ void collide(Queue& queue, const View& view) {
     forEach(queue, all, Suffer<decltype(search)>{view, search});
     forEach(queue, all, PushApart<decltype(search)>{view, search});
   });
-  forEach(queue, all, Respond{view});
-  forEach(queue, all, FinishShots{view});
+  forEach(queue, all, RespondAndFinish{view});
 }
 
 }  // namespace gw::GW_DEVICE

@@ -18,19 +18,39 @@ GW_FN uint64_t pair(uint32_t a, uint32_t b) {
 
 constexpr uint32_t kCellField = 0xCE11u;  // far above the fields of entities, whose owners are ids
 
-// One item: one cell.
+// One team: a run of cells, whose hashes are added up; sums of integers do not mind who adds first.
 struct HashEntities {
+  static constexpr uint32_t kLanes = 128, kCells = 512;
+  struct Shared {
+    uint64_t sums[kLanes];
+  };
   View v;
   bool withArrangement;
 
-  GW_BODY void operator()(uint32_t i) const {
-    const Cell cell = v.moved[i];
-    // The empty cells too: who is born there depends on it.
-    const uint64_t place = withArrangement ? hashWord(i, kCellField, cell.id) : 0;
-    v.hashes[i] = place + (cell.type == kTypeNone ? 0 : entityHash(cell));
+  template <class Team>
+  GW_BODY void operator()(const Team& team, Shared& s) const {
+    const uint32_t begin = team.index * kCells, end = smaller(begin + kCells, v.capacity);
+    team.phase([&](uint32_t lane) {
+      uint64_t sum = 0;
+      for (uint32_t i = begin + lane; i < end; i += kLanes) sum += cellHash(i);
+      s.sums[lane] = sum;
+    });
+    team.phase([&](uint32_t lane) {
+      if (lane > 0) return;
+      uint64_t sum = 0;
+      for (const uint64_t& part : s.sums) sum += part;
+      atomicAddTo64(v.scratch->entityHash, sum);
+    });
   }
 
  private:
+  GW_BODY uint64_t cellHash(uint32_t i) const {
+    const Cell cell = v.moved[i];
+    // The empty cells too: who is born there depends on it.
+    const uint64_t place = withArrangement ? hashWord(i, kCellField, cell.id) : 0;
+    return place + (cell.type == kTypeNone ? 0 : entityHash(cell));
+  }
+
   GW_BODY uint64_t entityHash(const Cell& cell) const {
     const uint32_t id = cell.id;
     const Float4 motion = v.velocityPrevious[id], force = v.nextForceEnergy[id], direction = v.nextDirectionMass[id];
@@ -58,6 +78,7 @@ struct Report {
     report.over = m.over != 0;
     report.ending = Ending(m.over);
     report.hash = s.entityHash + masterHash(m);
+    s.entityHash = 0;  // for the next tick to add up
     report.input = s.input;
     report.ship_x = m.ship.x;
     report.ship_y = m.ship.y;
@@ -143,9 +164,9 @@ struct Report {
 
 }  // namespace
 
-void hash(Queue& queue, const View& view, Reduce& sum) {
-  forEach(queue, Count{view.capacity}, HashEntities{view, isArrangementState(view.near.gather)});
-  sum.run(queue, view.hashes, &view.scratch->entityHash);
+void hash(Queue& queue, const View& view) {
+  forEachTeam(queue, (view.capacity + HashEntities::kCells - 1) / HashEntities::kCells,
+              HashEntities{view, isArrangementState(view.near.gather)});
   forEach(queue, Count{1}, Report{view});
 }
 

@@ -32,23 +32,21 @@ struct Seen {
   }
 };
 
-// One item: one slot of the ring.
+// Of one slot of the ring: 1 when it shows.
 struct FindShown {
-  uint64_t* shown;
   Seen seen;
-  GW_BODY void operator()(uint32_t age) const { shown[age] = seen.shows(seen.at(age)) ? 1u : 0u; }
+  GW_BODY uint64_t operator()(uint32_t age) const { return seen.shows(seen.at(age)) ? 1u : 0u; }
 };
 
 // One item: one slot of the ring; the first one also writes the command.
 struct WriteStreaks {
   ParticleTarget target;
-  const uint64_t* shown;
   ScanView ranks;
   Seen seen;
 
   GW_BODY void operator()(uint32_t age) const {
     if (age == 0) *target.command = {3, smaller(uint32_t(ranks.total()), target.vertexCapacity), 0, 0};
-    if (shown[age] == 0) return;
+    if (!seen.shows(seen.at(age))) return;
     const uint32_t rank = uint32_t(ranks.before(age));
     if (rank < target.vertexCapacity) target.vertices[rank] = streak(seen.at(age));
   }
@@ -66,14 +64,13 @@ struct WriteStreaks {
 
 }  // namespace
 
-ParticleList::ParticleList(Queue& queue, uint32_t size) : shown_(queue, size), ranks_(queue, size) {}
+ParticleList::ParticleList(Queue& queue, uint32_t size) : ranks_(queue, size) {}
 
 void ParticleList::run(Queue& queue, const View& view, const ParticleView& particles, const DrawView& window,
                        float sinceTick_ticks, const ParticleTarget& target) {
   const Seen seen{particles, view.master, window, sinceTick_ticks};
-  forEach(queue, Count{particles.size}, FindShown{shown_.data(), seen});
-  ranks_.run(queue, shown_.data());
-  forEach(queue, Count{particles.size}, WriteStreaks{target, shown_.data(), ranks_.view(), seen});
+  ranks_.run(queue, FindShown{seen});
+  forEach(queue, Count{particles.size}, WriteStreaks{target, ranks_.view(), seen});
 }
 
 }  // namespace gw::GW_DEVICE

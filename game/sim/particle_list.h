@@ -16,7 +16,6 @@ class ParticleList {
            const ParticleTarget& target);
 
  private:
-  Buffer<uint64_t> shown_;  // by age, the newest first
   Scan ranks_;
 };
 

@@ -78,11 +78,10 @@ GW_FN Burst burstOf(const View& v, uint32_t source) {
   return v.master->over ? Burst{} : entityBurst(v, source);
 }
 
-// One item: one source.
+// How many one source throws.
 struct CountThrown {
-  uint64_t* thrown;
   View v;
-  GW_BODY void operator()(uint32_t source) const { thrown[source] = burstOf(v, source).count; }
+  GW_BODY uint64_t operator()(uint32_t source) const { return burstOf(v, source).count; }
 };
 
 // One item: one source, which writes its particles; the last one also moves the ring on.
@@ -90,7 +89,6 @@ struct Throw {
   Particle* ring;
   uint32_t* emittedAfter;
   const uint32_t* emitted;
-  const uint64_t* thrown;
   ScanView ranks;
   View v;
   uint32_t size, sources;
@@ -98,7 +96,6 @@ struct Throw {
   GW_BODY void operator()(uint32_t source) const {
     const uint32_t total = uint32_t(ranks.total());
     if (source == sources - 1) *emittedAfter = *emitted + total;
-    if (thrown[source] == 0) return;
     const Burst burst = burstOf(v, source);
     const uint32_t first = uint32_t(ranks.before(source));
     for (uint32_t k = 0; k < burst.count; ++k) {
@@ -129,20 +126,13 @@ struct Throw {
 }  // namespace
 
 Particles::Particles(Queue& queue, uint32_t capacity, uint32_t size)
-    : size_(size),
-      sources_(capacity + kShipSources),
-      ring_(queue, size),
-      emitted_(queue, 2),
-      thrown_(queue, sources_),
-      ranks_(queue, sources_) {}
+    : size_(size), sources_(capacity + kShipSources), ring_(queue, size), emitted_(queue, 2), ranks_(queue, sources_) {}
 
 void Particles::emit(Queue& queue, const View& view, uint32_t parity) {
-  const Count all{sources_};
-  forEach(queue, all, CountThrown{thrown_.data(), view});
-  ranks_.run(queue, thrown_.data());
-  forEach(queue, all,
-          Throw{ring_.data(), emitted_.data() + (parity + 1) % 2, emitted_.data() + parity % 2, thrown_.data(),
-                ranks_.view(), view, size_, sources_});
+  ranks_.run(queue, CountThrown{view});
+  forEach(queue, Count{sources_},
+          Throw{ring_.data(), emitted_.data() + (parity + 1) % 2, emitted_.data() + parity % 2, ranks_.view(), view,
+                size_, sources_});
 }
 
 std::vector<Particle> Particles::list(uint32_t parity) const {

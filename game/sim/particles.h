@@ -46,7 +46,6 @@ class Particles {
   uint32_t size_ = 0, sources_ = 0;
   Buffer<Particle> ring_;
   Buffer<uint32_t> emitted_;  // by parity: a tick reads its own and writes the other
-  Buffer<uint64_t> thrown_;   // by source
   Scan ranks_;
 };
 

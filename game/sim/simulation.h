@@ -12,6 +12,7 @@
 #include "game/sim/particle.h"
 #include "game/sim/rules.h"
 #include "game/sim/state_tables.h"
+#include "gpu/device_error.h"
 #include "gpu/exec_options.h"
 #include "render/sprite_vertex.h"
 
@@ -200,11 +201,20 @@ class Simulation {
   virtual std::string deviceName() const = 0;
   // Whether draw targets are addresses of the cuda device; else of the host.
   virtual bool onCuda() const = 0;
+  // Gives up the device, for a reason that its users met; throws DeviceError with that reason when nothing can take
+  // its place (game/failover.h).
+  virtual void dropDevice(const std::string& why);
+  // Why an earlier device was given up; empty: none was.
+  virtual std::string dropped() const { return {}; }
   // Before GL calls: workers of the cpu device stop spinning, so that the driver's threads get the cores.
   virtual void park() = 0;
 
   static constexpr uint32_t kTicksInFlight = 4;
 };
+
+inline void Simulation::dropDevice(const std::string& why) {
+  throw DeviceError(why);
+}
 
 namespace cpu {
 std::unique_ptr<Simulation> makeSimulation(const SimulationConfig& config);

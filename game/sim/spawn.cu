@@ -10,11 +10,11 @@ namespace {
 
 constexpr float kAbreast_m = 0.32f;  // between shots that fly side by side
 
-// One item: one id. Is it free, and how many does it give birth to?
+// Of one id: whether it is free (low half), and how many it gives birth to (high half).
 struct CountBirths {
   View v;
 
-  GW_BODY void operator()(uint32_t id) const {
+  GW_BODY uint64_t operator()(uint32_t id) const {
     const uint32_t type = v.cells[v.cellOf[id]].type;
     uint64_t births = 0;
     if (isEnemy(type)) {
@@ -22,7 +22,7 @@ struct CountBirths {
       const bool scored = (state.w & (kFlagFlushed | kFlagBlasted)) == 0;
       if (state.x == uint32_t(State::dead) && scored) births = v.tables->rules.enemies[type].bits;
     }
-    v.births[id] = births << 32 | (type == kTypeNone ? 1u : 0u);
+    return births << 32 | (type == kTypeNone ? 1u : 0u);
   }
 };
 
@@ -133,10 +133,8 @@ struct FillIds {
 }  // namespace
 
 void spawn(Queue& queue, const View& view, Scan& scan) {
-  const Count ids{view.capacity};
-  forEach(queue, ids, CountBirths{view});
-  scan.run(queue, view.births);
-  forEach(queue, ids, FillIds{view});
+  scan.run(queue, CountBirths{view});
+  forEach(queue, Count{view.capacity}, FillIds{view});
 }
 
 }  // namespace gw::GW_DEVICE

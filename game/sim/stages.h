@@ -13,6 +13,6 @@ void think(Queue& queue, const View& view);
 void integrate(Queue& queue, const View& view);
 void collide(Queue& queue, const View& view);
 void settle(Queue& queue, const View& view);
-void hash(Queue& queue, const View& view, Reduce& sum);
+void hash(Queue& queue, const View& view);
 
 }  // namespace gw::GW_DEVICE

@@ -33,7 +33,6 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
       neighbourhood_(queue, config, limits_.width_m, limits_.height_m) {
   const uint32_t n = limits_.capacity;
   birthScan_ = Scan(queue, n);
-  hashSum_ = Reduce(queue, n);
   tables = Buffer<Tables>(queue, 1);
   master = Buffer<Master>(queue, 1);
   scratch = Buffer<TickScratch>(queue, 1);
@@ -44,7 +43,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   choiceTime = Buffer<float>(queue, n);
   for (auto* words : {&birthTick, &target, &choice, &chosenBy, &spent, &event}) *words = Buffer<uint32_t>(queue, n);
   pushSum = Buffer<uint64_t>(queue, 3 * size_t(n));
-  for (auto* words : {&births, &hashes, &threat}) *words = Buffer<uint64_t>(queue, n);
+  threat = Buffer<uint64_t>(queue, n);
 
   const bool arranged = isArrangementState(config.gather);
   const std::vector<uint32_t> ids = arranged ? startArrangement(neighbourhood_.dimensions()) : std::vector<uint32_t>{};
@@ -110,7 +109,6 @@ View GameState::view(uint32_t parity) const {
   v.push = push.data();
   v.birthTick = birthTick.data();
   v.target = target.data();
-  v.births = births.data();
   v.birthScan = birthScan_.view();
   v.choice = choice.data();
   v.choiceTime = choiceTime.data();
@@ -119,7 +117,6 @@ View GameState::view(uint32_t parity) const {
   v.event = event.data();
   v.pushSum = pushSum.data();
   v.threat = threat.data();
-  v.hashes = hashes.data();
   v.capacity = limits_.capacity;
   return v;
 }

@@ -45,8 +45,7 @@ struct View {
   uint32_t* target;  // a shot's last victim, or kNobody
 
   // By id, within one tick.
-  uint64_t* births;  // free ids (low half), own births (high half)
-  ScanView birthScan;
+  ScanView birthScan;  // free ids (low half), own births (high half)
   uint32_t* choice;    // the victim a shot picked, or kNobody
   float* choiceTime;   // when in the tick it meets it, 0..1
   uint32_t* chosenBy;  // how many shots picked this victim
@@ -54,7 +53,6 @@ struct View {
   uint32_t* event;     // EntityEvent bits
   uint64_t* pushSum;   // [3 * id ...]: x and y of the pushes, and their lengths; fixed point, two's complement
   uint64_t* threat;    // the nearest shot that comes: ~(squared distance's bits << 32 | id); 0: none
-  uint64_t* hashes;    // by cell
 
   uint32_t capacity;
 };
@@ -95,7 +93,6 @@ class GameState {
   const Limits& limits() const { return limits_; }
   Neighbourhood& neighbourhood() { return neighbourhood_; }
   Scan& birthScan() { return birthScan_; }
-  Reduce& hashSum() { return hashSum_; }
 
   Buffer<Tables> tables;
   Buffer<Master> master;
@@ -109,13 +106,12 @@ class GameState {
   Buffer<Float2> push;
   Buffer<uint32_t> birthTick, target, choice, chosenBy, spent, event;
   Buffer<float> choiceTime;
-  Buffer<uint64_t> births, hashes, pushSum, threat;
+  Buffer<uint64_t> pushSum, threat;
 
  private:
   Limits limits_;
   Neighbourhood neighbourhood_;
   Scan birthScan_;
-  Reduce hashSum_;
 };
 
 }  // namespace gw::GW_DEVICE

@@ -13,7 +13,7 @@ void step(Queue& queue, GameState& state, uint32_t parity, Autopilot who, StageT
   timer.time(queue, "integrate", [&] { integrate(queue, v); });
   timer.time(queue, "collide", [&] { collide(queue, v); });
   timer.time(queue, "settle", [&] { settle(queue, v); });
-  timer.time(queue, "hash", [&] { hash(queue, v, state.hashSum()); });
+  timer.time(queue, "hash", [&] { hash(queue, v); });
   if (particles) timer.time(queue, "particles", [&] { particles->emit(queue, v, parity); });
 }
 

@@ -72,6 +72,8 @@ size_t inPages(size_t bytes) {
 
 }  // namespace
 
+thread_local unsigned capturing = 0;
+
 std::recursive_mutex& lock() {
   static std::recursive_mutex mutex;
   return mutex;
@@ -93,6 +95,7 @@ void restart(const Options& options) {
   for (CUstream_st* stream : d.streams) delete stream;
   for (CUevent_st* event : d.events) delete event;
   d = Driver{};
+  capturing = 0;
   d.options = options;
 }
 
@@ -120,7 +123,7 @@ cudaError_t entering(const char* call) {
 cudaError_t enteringOutsideCapture(const char* call) {
   const cudaError_t error = entering(call);
   if (error != cudaSuccess) return error;
-  return driver().capturing > 0 ? failed(cudaErrorStreamCaptureUnsupported) : cudaSuccess;
+  return capturing > 0 ? failed(cudaErrorStreamCaptureUnsupported) : cudaSuccess;
 }
 
 CUstream_st* streamOf(cudaStream_t stream) {

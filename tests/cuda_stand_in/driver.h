@@ -57,11 +57,11 @@ struct Driver {
   std::set<CUevent_st*> events;
   std::map<const void*, int> sharedLimits;  // by kernel: what it was granted
   CUstream_st nobody;                       // the default stream
-  unsigned capturing = 0;
 };
 
 std::recursive_mutex& lock();
 Driver& driver();
+extern thread_local unsigned capturing;  // streams, by this thread
 
 // Counts a call, and says whether it is to fail: every call begins with this.
 cudaError_t entering(const char* call);

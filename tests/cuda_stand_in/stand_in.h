@@ -37,7 +37,7 @@ struct Fault {
 
 struct Options {
   bool eager = false, reversed = false, apart = false;
-  Fault fault;
+  Fault fault{};
 };
 
 // A new driver: no streams, no memory, nothing counted. For tests, between runs; whatever of the old one is still

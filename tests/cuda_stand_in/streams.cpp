@@ -59,7 +59,7 @@ cudaError_t cudaStreamBeginCapture(cudaStream_t stream, cudaStreamCaptureMode) {
   CUstream_st* on = streamOf(stream);
   if (!on || on == &driver().nobody || on->captured) return failed(cudaErrorInvalidResourceHandle);
   on->captured = new CUgraph_st;
-  ++driver().capturing;
+  ++capturing;
   return cudaSuccess;
 }
 
@@ -68,7 +68,7 @@ cudaError_t cudaStreamEndCapture(cudaStream_t stream, cudaGraph_t* graph) {
   CUstream_st* on = streamOf(stream);
   if (!on || !on->captured) return failed(cudaErrorInvalidResourceHandle);
   *graph = std::exchange(on->captured, nullptr);
-  --driver().capturing;
+  --capturing;
   return cudaSuccess;
 }
 

@@ -22,3 +22,8 @@ target_compile_definitions(game_host_test PRIVATE GW_ASSETS_DIR="${here}/../../a
 target_link_libraries(game_host_test PRIVATE gw_command_line gw_replay gw_tables fmt::fmt-header-only ${GW_RAPIDCHECK_LIBRARY}
   GTest::gtest_main)
 gtest_discover_tests(game_host_test)
+
+add_executable(failover_test ${here}/failover_test.cpp)
+target_compile_definitions(failover_test PRIVATE GW_ASSETS_DIR="${here}/../../assets")
+target_link_libraries(failover_test PRIVATE gw_program GTest::gtest_main)
+gtest_discover_tests(failover_test)

@@ -25,7 +25,7 @@ class hash : public ::testing::Test {
     // As integrate would leave those who do not move.
     on.state().cells[1].upload(on.state().cells[0].download());
     const uint32_t slot = on.scratch().sequence % Simulation::kTicksInFlight;
-    cpu::hash(on.queue(), on.view(), on.state().hashSum());
+    cpu::hash(on.queue(), on.view());
     TickReport report;
     on.state().reports.download(&report, 1, slot);
     return report;
@@ -111,7 +111,7 @@ TEST_F(hash, neither_the_arrangement_nor_the_order_of_visits_is_felt) {
   for (const Cell& cell : cells) byId[cell.id] = cell;
   fixture.state().cells[1].upload(byId);
   const uint32_t slot = fixture.scratch().sequence % Simulation::kTicksInFlight;
-  cpu::hash(fixture.queue(), fixture.view(), fixture.state().hashSum());
+  cpu::hash(fixture.queue(), fixture.view());
   TickReport report;
   fixture.state().reports.download(&report, 1, slot);
   EXPECT_EQ(report.hash, wanted);

@@ -1,0 +1,213 @@
+// Every CUDA call of a game fails once, in every way that counts: the game begins or goes on with the cpu device, with
+// the same hash at every tick, and says so in one sentence. The table in docs/cuda-faults.md is what was seen here.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "game/device_choice.h"
+#include "game/tables/tables.h"
+#include "game/user_error.h"
+#include "stand_in.h"
+
+namespace gw {
+namespace {
+
+constexpr uint32_t kTicks = 64;  // past the first snapshot
+
+SimulationConfig config() {
+  SimulationConfig config;
+  config.rules = loadRules(readRuleTexts(GW_ASSETS_DIR));
+  config.enemies = 64;
+  config.mode = Mode::swarm;
+  config.autopilot = Autopilot::expert;
+  config.threads = 1;
+  config.particles = true;
+  return config;
+}
+
+struct Seen {
+  std::string struck;   // the call that failed; empty: it was never made
+  std::string moment;   // in which part of the game
+  std::string outcome;  // what the player sees
+  std::vector<uint64_t> hashes;
+};
+
+// The whole life of a game, as a player with --device auto has it.
+Seen playThrough(const stand_in::Options& options, std::vector<uint64_t>* callsBy = nullptr) {
+  stand_in::restart(options);
+  Seen seen;
+  const auto at = [&](const char* moment) {
+    if (seen.struck.empty()) seen.moment = moment;
+    seen.struck = stand_in::struck();
+    if (callsBy) callsBy->push_back(stand_in::calls());
+  };
+  testing::internal::CaptureStderr();
+  const DeviceChoice device = chooseDevice(DeviceOption::automatic);
+  at("choosing a device");
+  if (!device.why.empty()) seen.outcome = device.why;
+  const std::unique_ptr<Simulation> game = makeLastingSimulation(device, config());
+  at("starting the game");
+  for (uint32_t t = 0; t < kTicks; ++t) {
+    game->tick({});
+    seen.hashes.push_back(game->report().hash);
+    at("playing");
+    if (!seen.struck.empty() && seen.moment != "playing" && t > 2) break;  // the cpu device is tested elsewhere
+  }
+  game->enableStageTimes(true);
+  game->tick({});
+  seen.hashes.push_back(game->report().hash);
+  game->enableStageTimes(false);
+  at("timing stages");
+  game->countCandidates();
+  game->inspect(20, 20, 50);
+  at("inspecting");
+  std::string said = testing::internal::GetCapturedStderr();
+  if (!said.empty() && said.back() == '\n') said.pop_back();
+  if (seen.outcome.empty()) seen.outcome = said;
+  if (seen.outcome.empty() && device.cuda) seen.outcome = "nothing";
+  return seen;
+}
+
+const std::vector<uint64_t>& expected() {
+  static const std::vector<uint64_t> hashes = [] {
+    std::vector<uint64_t> made;
+    const auto game = cpu::makeSimulation(config());
+    for (uint32_t t = 0; t < kTicks + 1; ++t) {
+      game->tick({});
+      made.push_back(game->report().hash);
+    }
+    return made;
+  }();
+  return hashes;
+}
+
+void expectTheSameGame(const Seen& seen, const std::string& what) {
+  const size_t ticks = seen.hashes.size();
+  ASSERT_GT(ticks, 2u);
+  // A game that has been cut short has its last tick at the end all the same.
+  const std::vector<uint64_t> part(expected().begin(), expected().begin() + ptrdiff_t(ticks));
+  EXPECT_EQ(seen.hashes, part) << what;
+}
+
+// Which calls to let fail: all, but of the many ticks only the first, those round the snapshot, and the last.
+std::vector<uint64_t> callsToFail(const std::vector<uint64_t>& callsBy) {
+  std::vector<uint64_t> chosen;
+  const auto all = [&](uint64_t after, uint64_t until) {
+    for (uint64_t call = after + 1; call <= until; ++call) chosen.push_back(call);
+  };
+  all(0, callsBy[1]);                        // choosing, starting
+  all(callsBy[1], callsBy[3]);               // two ticks
+  all(callsBy[1 + 59], callsBy[1 + 62]);     // the snapshot
+  all(callsBy[1 + kTicks], callsBy.back());  // the rest
+  return chosen;
+}
+
+TEST(Fault, AGameWithoutOnesRunsOnCudaAndIsTheSame) {
+  for (const stand_in::Options& options :
+       {stand_in::Options{}, stand_in::Options{.eager = true}, stand_in::Options{.reversed = true}}) {
+    const Seen seen = playThrough(options);
+    expectTheSameGame(seen, "no fault");
+    EXPECT_EQ(seen.outcome, "nothing");
+    EXPECT_GT(stand_in::kernelsRun(), 1000u);
+  }
+}
+
+TEST(Fault, NoneEndsOrChangesTheGame) {
+  std::vector<uint64_t> callsBy;
+  playThrough({}, &callsBy);
+  std::set<std::string> made;
+  for (const auto& [call, times] : stand_in::callsByName()) made.insert(call);
+
+  std::set<std::string> struck;
+  std::map<std::string, std::map<std::string, std::set<std::string>>> table;  // moment, outcome: calls
+  for (const cudaError_t error : {cudaErrorMemoryAllocation, cudaErrorLaunchFailure}) {
+    for (const uint64_t call : callsToFail(callsBy)) {
+      stand_in::Options options;
+      options.fault = {"*", call, error};
+      const Seen seen = playThrough(options);
+      const std::string what = "call " + std::to_string(call) + " (" + seen.struck + ")";
+      EXPECT_FALSE(seen.struck.empty()) << what;
+      expectTheSameGame(seen, what);
+      EXPECT_NE(seen.outcome, "") << what;
+      EXPECT_EQ(std::count(seen.outcome.begin(), seen.outcome.end(), '\n'), 0) << what << ": " << seen.outcome;
+      struck.insert(seen.struck);
+      table[seen.moment][seen.outcome].insert(seen.struck);
+    }
+  }
+  // What only gives back, or asks after an error, has nobody to tell.
+  for (const char* silent :
+       {"cudaFree", "cudaFreeHost", "cudaStreamDestroy", "cudaEventDestroy", "cudaGraphExecDestroy"}) {
+    made.erase(silent);
+    struck.erase(silent);
+  }
+  EXPECT_EQ(struck, made);
+
+  std::ofstream out(GW_FAULT_TABLE);
+  out << "| When | What the player sees | Calls that failed |\n|---|---|---|\n";
+  for (const auto& [moment, outcomes] : table) {
+    for (const auto& [outcome, calls] : outcomes) {
+      out << "| " << moment << " | " << outcome << " |";
+      for (const std::string& call : calls) out << (call == *calls.begin() ? " " : ", ") << call;
+      out << " |\n";
+    }
+  }
+}
+
+TEST(Fault, TheTableInTheDocsIsWhatWasSeen) {
+  const auto text = [](const char* path) {
+    std::stringstream all;
+    all << std::ifstream(path).rdbuf();
+    return all.str();
+  };
+  EXPECT_NE(text(GW_FAULT_DOCS).find(text(GW_FAULT_TABLE)), std::string::npos)
+      << "copy " << GW_FAULT_TABLE << " into docs/cuda-faults.md";
+}
+
+TEST(Fault, AMachineThatCannotIsToldSoAtOnce) {
+  for (const auto& [call, error, sentence] :
+       {std::tuple{"cudaGetDeviceCount", cudaErrorInsufficientDriver, "driver"},
+        std::tuple{"cudaGetDeviceCount", cudaErrorNoDevice, "device"},
+        std::tuple{"cudaMalloc", cudaErrorMemoryAllocation, "choose a smaller --enemies"},
+        std::tuple{"cudaLaunchKernelEx", cudaErrorNoKernelImageForDevice, "build GpuWars for this GPU"}}) {
+    stand_in::Options options;
+    options.fault = {call, 1, error};
+    const Seen seen = playThrough(options);
+    EXPECT_EQ(seen.struck, call);
+    EXPECT_NE(seen.outcome.find(sentence), std::string::npos) << seen.outcome;
+    expectTheSameGame(seen, call);
+  }
+}
+
+TEST(Fault, CudaAskedForByNameIsNotReplacedByAnother) {
+  stand_in::Options options;
+  options.fault = {"cudaMalloc", 3, cudaErrorMemoryAllocation};
+  stand_in::restart(options);
+  const DeviceChoice device = chooseDevice(DeviceOption::cuda);
+  EXPECT_THROW(makeLastingSimulation(device, config()), UserError);
+}
+
+TEST(Fault, ADeviceThatWasLostIsNotTriedAgain) {
+  stand_in::Options options;
+  options.fault = {"cudaGraphLaunch", 3, cudaErrorIllegalAddress};
+  stand_in::restart(options);
+  const DeviceChoice device = chooseDevice(DeviceOption::automatic);
+  testing::internal::CaptureStderr();
+  const auto first = makeLastingSimulation(device, config());
+  for (int t = 0; t < 5; ++t) {
+    first->tick({});
+    first->report();
+  }
+  EXPECT_FALSE(first->onCuda());
+  EXPECT_NE(testing::internal::GetCapturedStderr(), "");
+  testing::internal::CaptureStderr();
+  EXPECT_FALSE(makeLastingSimulation(device, config())->onCuda());
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace gw
