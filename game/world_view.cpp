@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "game/effects/overlay.h"
 #include "game/gl_canvas.h"
@@ -24,10 +25,16 @@ constexpr float kEdge_m = 3;  // sprites reach into view from outside, and move 
 // processor time (docs/effects.md). A busy fight has 500 in view.
 constexpr uint32_t kParticlesDrawn = 16384, kParticlesDrawnWithoutGpu = 3072;
 
+// whyCopied: why frames of a CUDA device go through the host, when they do.
 template <class Vertex>
-std::unique_ptr<Stream<Vertex>> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda) {
+std::unique_ptr<Stream<Vertex>> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda,
+                                           [[maybe_unused]] std::string& whyCopied) {
 #ifdef GW_HAVE_CUDA
-  if (cuda) return makeCudaStream<Vertex>(capacity).stream;
+  if (cuda) {
+    CudaStream<Vertex> made = makeCudaStream<Vertex>(capacity);
+    whyCopied = std::move(made.why);
+    return std::move(made.stream);
+  }
 #endif
   return std::make_unique<MappedStream<Vertex>>(capacity);
 }
@@ -54,14 +61,26 @@ Pass loaded(const std::filesystem::path& assets) {
 
 WorldView::WorldView(const std::filesystem::path& assets, uint32_t capacity, bool cuda)
     : capacity_(capacity + kSpareSprites),
-      stream_(makeStream<SpriteVertex>(capacity_, cuda)),
-      particleStream_(makeStream<ParticleVertex>(cuda ? kParticlesDrawn : kParticlesDrawnWithoutGpu, cuda)),
       grid_(loaded<GridPass>(assets)),
       particles_(loaded<ParticlePass>(assets)),
       sprites_(loaded<SpritePass>(assets)),
       rings_(loaded<RingPass>(assets)),
       quads_(loaded<QuadPass>(assets)),
-      text_(loaded<TextPass>(assets)) {}
+      text_(loaded<TextPass>(assets)) {
+  remakeStreams(cuda);
+}
+
+void WorldView::remakeStreams(bool cuda) {
+  std::string whyCopied;
+  auto sprites = makeStream<SpriteVertex>(capacity_, cuda, whyCopied);
+  auto particles = makeStream<ParticleVertex>(cuda ? kParticlesDrawn : kParticlesDrawnWithoutGpu, cuda, whyCopied);
+  stream_ = std::move(sprites);
+  particleStream_ = std::move(particles);
+  if (whyCopied.empty() || toldOfCopies_) return;
+  toldOfCopies_ = true;
+  std::fprintf(stderr, "Every frame is copied through the host, because %s: \"gpuwars devices\" lists what can draw.\n",
+               whyCopied.c_str());
+}
 
 void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame,
                      const Screens& screens) {

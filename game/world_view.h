@@ -32,9 +32,14 @@ struct WorldFrame {
 class WorldView {
  public:
   // Needs a current GL context. `capacity` is the simulation's; `cuda`: kernels write on a CUDA device.
-  // Throws UserError with ExitCode::badFile when an asset is missing or damaged.
+  // Throws UserError with ExitCode::badFile when an asset is missing or damaged, and DeviceError when CUDA fails.
   WorldView(const std::filesystem::path& assets, uint32_t capacity, bool cuda);
 
+  // The run goes on on another device. What threw before, between frames or within one, leaves no trace. Throws
+  // DeviceError when CUDA fails here too; the streams are then as before.
+  void remakeStreams(bool cuda);
+
+  // Throws DeviceError when CUDA fails: remakeStreams(false) then goes on without it.
   using Screens = std::function<void(Canvas&)>;
   void draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame, const Screens& screens);
 
@@ -44,6 +49,7 @@ class WorldView {
   void drawRings(const Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame);
 
   uint32_t capacity_;
+  bool toldOfCopies_ = false;
   std::unique_ptr<SpriteStream> stream_;
   std::unique_ptr<ParticleStream> particleStream_;
   GridPass grid_;

@@ -124,5 +124,11 @@ TEST_F(WorldViewGl, ShakeAndFlashOfAFlushCanBeTurnedOff) {
   EXPECT_EQ(with(0, 0), off);
 }
 
+TEST_F(WorldViewGl, StreamsMadeAnewShowTheSame) {
+  const Image before = draw(*run_, {});
+  view_->remakeStreams(false);
+  EXPECT_EQ(draw(*run_, {}).rgb, before.rgb);
+}
+
 }  // namespace
 }  // namespace gw
