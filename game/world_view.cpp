@@ -21,10 +21,6 @@ constexpr uint32_t kSpareSprites = 64;  // the ship and what else is no entity
 constexpr float kBlastShown_ticks = 24;
 constexpr float kEdge_m = 3;  // sprites reach into view from outside, and move between ticks
 
-// How many particles are drawn at most: all there are where there is a GPU; without one as many as cost 7 ms of
-// processor time (docs/effects.md). A busy fight has 500 in view.
-constexpr uint32_t kParticlesDrawn = 16384, kParticlesDrawnWithoutGpu = 3072;
-
 // whyCopied: why frames of a CUDA device go through the host, when they do.
 template <class Vertex>
 std::unique_ptr<Stream<Vertex>> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda,

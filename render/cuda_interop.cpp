@@ -40,7 +40,7 @@ class SharedStream final : public Stream<Vertex> {
   RegionOf<Vertex> begin() override {
     current_ = (current_ + 1) % this->kRegions;
     Region& region = regions_[current_];
-    checkCuda(cudaEventSynchronize(region.copied.get()), "waiting for an earlier frame's sprites");
+    check(cudaEventSynchronize(region.copied.get()), "waiting for an earlier frame's sprites");
     command() = this->kDrawNothing;
     RegionOf<Vertex> out;
     out.vertices = region.d_staging.get();
@@ -74,11 +74,11 @@ class SharedStream final : public Stream<Vertex> {
 
   void copy(const Region& region, uint32_t count) {
     MappedResource mapped(region.shared.get(), drawStream_.get());
-    checkCuda(cudaMemcpyAsync(mapped.address(), region.d_staging.get(), size_t(count) * sizeof(Vertex),
-                              cudaMemcpyDeviceToDevice, drawStream_.get()),
-              "copying the sprites");
+    check(cudaMemcpyAsync(mapped.address(), region.d_staging.get(), size_t(count) * sizeof(Vertex),
+                          cudaMemcpyDeviceToDevice, drawStream_.get()),
+          "copying the sprites");
     mapped.unmap();
-    checkCuda(cudaEventRecord(region.copied.get(), drawStream_.get()), "copying the sprites");
+    check(cudaEventRecord(region.copied.get(), drawStream_.get()), "copying the sprites");
   }
 
   uint32_t capacity_;
@@ -115,9 +115,9 @@ class CopiedStream final : public Stream<Vertex> {
     command.instanceCount = instancesIn(command, region_.capacity);
     const size_t bytes = size_t(command.instanceCount) * sizeof(Vertex);
     if (bytes > 0) {
-      checkCuda(cudaMemcpyAsync(h_vertices_.get(), d_staging_.get(), bytes, cudaMemcpyDeviceToHost, copyStream_.get()),
-                "copying the sprites");
-      checkCuda(cudaStreamSynchronize(copyStream_.get()), "copying the sprites");
+      check(cudaMemcpyAsync(h_vertices_.get(), d_staging_.get(), bytes, cudaMemcpyDeviceToHost, copyStream_.get()),
+            "copying the sprites");
+      check(cudaStreamSynchronize(copyStream_.get()), "copying the sprites");
       std::memcpy(region_.vertices, h_vertices_.get(), bytes);
     }
     *region_.command = command;
@@ -138,7 +138,7 @@ class CopiedStream final : public Stream<Vertex> {
 // Why the current context cannot share memory with the current CUDA device; empty when it can.
 std::string whyNotShared() {
   int current = 0;
-  checkCuda(cudaGetDevice(&current), "asking for the device");
+  check(cudaGetDevice(&current), "asking for the device");
   unsigned count = 0;
   std::array<int, 16> devices{};
   if (cudaGLGetDevices(&count, devices.data(), unsigned(devices.size()), cudaGLDeviceListAll) != cudaSuccess) {

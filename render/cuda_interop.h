@@ -21,8 +21,8 @@ namespace gw {
 template <class Vertex>
 struct CudaStream {
   std::unique_ptr<Stream<Vertex>> stream;
-  bool shared;      // true: a frame stays on the device; false: it goes through the host
-  std::string why;  // when not shared: why, as part of a sentence
+  bool shared = false;  // true: a frame stays on the device; false: it goes through the host
+  std::string why;      // when not shared: why, as part of a sentence
 };
 
 enum class Sharing { wherePossible, never };

@@ -8,21 +8,13 @@
 #include <cuda_runtime_api.h>
 
 #include <memory>
-#include <string>
 #include <type_traits>
 #include <utility>
 
-#include "gpu/device_error.h"
+#include "gpu/cuda_check.h"
 #include "render/gl_objects.h"
 
 namespace gw {
-
-inline void checkCuda(cudaError_t result, const char* doing) {
-  if (result == cudaSuccess) return;
-  cudaGetLastError();  // forget it: whoever catches this and goes on must not meet it again
-  throw DeviceError(std::string("CUDA failed while ") + doing + " (" + cudaGetErrorString(result) +
-                    "): update the NVIDIA driver, or run with --device cpu.");
-}
 
 struct CudaRelease {
   void operator()(cudaStream_t stream) const { cudaStreamDestroy(stream); }
@@ -35,21 +27,21 @@ using CudaOwner = std::unique_ptr<std::remove_pointer_t<Handle>, CudaRelease>;
 // A stream that waits for no other, the default stream included.
 inline CudaOwner<cudaStream_t> makeCudaQueue() {
   cudaStream_t stream = nullptr;
-  checkCuda(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
+  check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
   return CudaOwner<cudaStream_t>(stream);
 }
 
 inline CudaOwner<cudaEvent_t> makeCudaEvent() {
   cudaEvent_t event = nullptr;
-  checkCuda(cudaEventCreateWithFlags(&event, cudaEventDisableTiming), "making an event");
+  check(cudaEventCreateWithFlags(&event, cudaEventDisableTiming), "making an event");
   return CudaOwner<cudaEvent_t>(event);
 }
 
 // CUDA's view of an OpenGL buffer, which it only ever overwrites. Goes before the buffer does.
 inline CudaOwner<cudaGraphicsResource_t> shareWithCuda(const GlBuffer& buffer) {
   cudaGraphicsResource_t resource = nullptr;
-  checkCuda(cudaGraphicsGLRegisterBuffer(&resource, buffer.get(), cudaGraphicsRegisterFlagsWriteDiscard),
-            "sharing the sprites with OpenGL");
+  check(cudaGraphicsGLRegisterBuffer(&resource, buffer.get(), cudaGraphicsRegisterFlagsWriteDiscard),
+        "sharing the sprites with OpenGL");
   return CudaOwner<cudaGraphicsResource_t>(resource);
 }
 
@@ -62,7 +54,7 @@ using DeviceArray = std::unique_ptr<T, FreeDevice>;
 template <class T>
 DeviceArray<T> allocateDevice(size_t count) {
   void* d_memory = nullptr;
-  checkCuda(cudaMalloc(&d_memory, count * sizeof(T)), "making room for the sprites");
+  check(cudaMalloc(&d_memory, count * sizeof(T)), "making room for the sprites");
   return DeviceArray<T>(static_cast<T*>(d_memory));
 }
 
@@ -76,7 +68,7 @@ using PinnedArray = std::unique_ptr<T, FreePinned>;
 template <class T>
 PinnedArray<T> allocatePinned(size_t count) {
   void* h_memory = nullptr;
-  checkCuda(cudaMallocHost(&h_memory, count * sizeof(T)), "making room for the sprites");
+  check(cudaMallocHost(&h_memory, count * sizeof(T)), "making room for the sprites");
   return PinnedArray<T>(static_cast<T*>(h_memory));
 }
 
@@ -84,7 +76,7 @@ PinnedArray<T> allocatePinned(size_t count) {
 class MappedResource {
  public:
   MappedResource(cudaGraphicsResource_t resource, cudaStream_t stream) : resource_(resource), stream_(stream) {
-    checkCuda(cudaGraphicsMapResources(1, &resource_, stream_), "mapping the sprites");
+    check(cudaGraphicsMapResources(1, &resource_, stream_), "mapping the sprites");
     mapped_ = true;
   }
   ~MappedResource() {
@@ -96,14 +88,14 @@ class MappedResource {
   void* address() const {
     void* d_address = nullptr;
     size_t size_bytes = 0;
-    checkCuda(cudaGraphicsResourceGetMappedPointer(&d_address, &size_bytes, resource_), "mapping the sprites");
+    check(cudaGraphicsResourceGetMappedPointer(&d_address, &size_bytes, resource_), "mapping the sprites");
     return d_address;
   }
 
   // The destructor does the same, but tells nobody when it fails.
   void unmap() {
+    check(cudaGraphicsUnmapResources(1, &resource_, stream_), "handing over the sprites");
     mapped_ = false;
-    checkCuda(cudaGraphicsUnmapResources(1, &resource_, stream_), "handing over the sprites");
   }
 
  private:

@@ -116,11 +116,11 @@ void takePicture(Run& run, const RunFactory& factory, const Options& options) {
   const PixelSize size{int(options.width_px), int(options.height_px)};
   std::unique_ptr<GlContext> context;
   try {
-    context = makeEglContext(size, factory.device().cuda ? currentCudaDevice() : std::nullopt);
+    context = makeEglContext(size, run.simulation().onCuda() ? currentCudaDevice() : std::nullopt);
   } catch (const std::runtime_error& error) {
     throw UserError(ExitCode::failedRun, error.what());
   }
-  WorldView view(factory.assets(), run.simulation().capacity(), factory.device().cuda);
+  WorldView view(factory.assets(), run.simulation().capacity(), run.simulation().onCuda());
   FollowCamera camera(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
   camera.snap(cameraTarget(run.last(), 1), float(size.width) / float(size.height));
   context->bindTarget();

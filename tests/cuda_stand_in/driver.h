@@ -11,6 +11,8 @@
 
 #include "stand_in.h"
 
+struct cudaGraphicsResource;
+
 namespace gw::stand_in {
 
 using Work = std::function<void()>;
@@ -55,8 +57,9 @@ struct Driver {
   std::map<uintptr_t, Block> blocks;
   std::set<CUstream_st*> streams;
   std::set<CUevent_st*> events;
-  std::map<const void*, int> sharedLimits;  // by kernel: what it was granted
-  CUstream_st nobody;                       // the default stream
+  std::set<cudaGraphicsResource*> resources;  // OpenGL's buffers that are registered; gl_interop.cpp's own
+  std::map<const void*, int> sharedLimits;    // by kernel: what it was granted
+  CUstream_st nobody;                         // the default stream
   unsigned capturing = 0;
 };
 

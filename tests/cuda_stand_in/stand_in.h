@@ -50,5 +50,7 @@ const std::map<std::string, uint64_t>& callsByName();
 // What the fault struck: the call's name, or empty when it has not come to it.
 std::string struck();
 uint64_t kernelsRun();
+// OpenGL's buffers that a living context has in its hands.
+uint64_t resourcesLeftMapped();
 
 }  // namespace gw::stand_in

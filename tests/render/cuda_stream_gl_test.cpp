@@ -1,16 +1,13 @@
 // Sprites on their way from a CUDA device to OpenGL: what arrives is what MappedStream would show, frame by frame,
 // shared and copied.
-#include <GL/glew.h>
-#include <cuda_runtime_api.h>
-
 #include <algorithm>
-#include <cstring>
 
 #include "render/cuda_interop.h"
 #include "render/gl_renderers.h"
 #include "render/screenshot.h"
 #include "render/sprite_pass.h"
 #include "tests/render/cuda_gl_fixture.h"
+#include "tests/render/cuda_sprites.h"
 #include "tests/render/sprite_scene.h"
 
 namespace gw {
@@ -30,19 +27,9 @@ class CudaStreamGl : public CudaGlTest, public testing::WithParamInterface<Shari
     glClear(GL_COLOR_BUFFER_BIT);
   }
 
-  // As kernels do it: by addresses of the device, finished when it returns.
-  static void write(const StreamRegion& region, const std::vector<SpriteVertex>& sprites) {
-    DrawArraysCommand command = SpriteStream::kDrawNothing;
-    command.instanceCount = uint32_t(sprites.size());
-    const size_t fitting = std::min<size_t>(sprites.size(), region.capacity);
-    ASSERT_EQ(cudaMemcpy(region.vertices, sprites.data(), fitting * sizeof(SpriteVertex), cudaMemcpyDefault),
-              cudaSuccess);
-    ASSERT_EQ(cudaMemcpy(region.command, &command, sizeof command, cudaMemcpyDefault), cudaSuccess);
-  }
-
   void drawWith(SpriteStream& stream, const std::vector<SpriteVertex>& sprites) {
     const StreamRegion region = stream.begin();
-    write(region, sprites);
+    writeOnCuda(region, sprites);
     stream.written();
     pass_->draw(region, {.camera = kCamera, .target = kSize});
     stream.end();
@@ -97,6 +84,26 @@ TEST_P(CudaStreamGl, FramesInFlightKeepTheirSprites) {
   EXPECT_EQ(image.rgb, expected(all).rgb);
 }
 
+TEST_P(CudaStreamGl, HasThreeRegionsInTurn) {
+  const auto made = makeCudaStream<SpriteVertex>(8, GetParam());
+  std::vector<std::pair<GLuint, size_t>> vertices, commands;
+  for (uint32_t i = 0; i < 2 * SpriteStream::kRegions; ++i) {
+    const StreamRegion region = made.stream->begin();
+    made.stream->written();
+    made.stream->end();
+    vertices.emplace_back(region.vertexBuffer, region.vertexOffset_bytes);
+    commands.emplace_back(region.commandBuffer, region.commandOffset_bytes);
+  }
+  for (uint32_t i = 0; i < SpriteStream::kRegions; ++i) {
+    EXPECT_EQ(vertices[i], vertices[i + SpriteStream::kRegions]);
+    EXPECT_EQ(commands[i], commands[i + SpriteStream::kRegions]);
+    EXPECT_NE(vertices[i], vertices[i + 1]);
+    EXPECT_NE(vertices[i], vertices[i + 2]);
+    EXPECT_NE(commands[i], commands[i + 1]);
+    EXPECT_NE(commands[i], commands[i + 2]);
+  }
+}
+
 TEST_P(CudaStreamGl, AFrameWithoutSpritesDrawsNothing) {
   const auto made = makeCudaStream<SpriteVertex>(8, GetParam());
   for (uint32_t i = 0; i < SpriteStream::kRegions; ++i) drawWith(*made.stream, someSprites(int(i)));
@@ -125,7 +132,7 @@ TEST_P(CudaStreamGl, AWriterThatCountsTooManyDrawsWhatFits) {
 TEST_P(CudaStreamGl, AnAbandonedFrameDoesNotSpoilTheNext) {
   const auto made = makeCudaStream<SpriteVertex>(8, GetParam());
   clear();
-  write(made.stream->begin(), someSprites(3));  // its writer failed: no written(), no end()
+  writeOnCuda(made.stream->begin(), someSprites(3));  // its writer failed: no written(), no end()
   drawWith(*made.stream, someSprites(2));
   const Image image = readPixels(kSize);
   EXPECT_EQ(image.rgb, expected(someSprites(2)).rgb);
