@@ -37,7 +37,7 @@ CudaVerdict judgeCuda(const CudaAnswers& answers) {
     return {CudaState::noDriver, "There is no NVIDIA driver here: install one for CUDA " +
                                      cudaVersionText(answers.runtimeVersion) + " or newer."};
   }
-  if (answers.insufficientDriver) {
+  if (answers.insufficientDriver && answers.driverVersion < answers.runtimeVersion) {
     return {CudaState::driverTooOld, driver + " supports CUDA up to " + cudaVersionText(answers.driverVersion) +
                                          "; this program needs " + cudaVersionText(answers.runtimeVersion) +
                                          ": update the driver."};

@@ -65,6 +65,8 @@ TEST(CudaStateOf, AnOldDriverIsNamedWithBothVersions) {
             "The NVIDIA driver 550.54.14 supports CUDA up to 12.4; this program needs 13.0: update the driver.");
   answers.driverRelease = "";
   expectSentence(judgeCuda(answers).why);
+  answers.driverVersion = 13000;  // new enough by its own account: then its age is not what is wrong
+  EXPECT_EQ(judgeCuda(answers).state, CudaState::failed);
 }
 
 TEST(CudaStateOf, NoDeviceIsNoFaultOfTheDriver) {
