@@ -15,7 +15,7 @@
 
 namespace gw {
 
-class Failover final : public Simulation {
+class Failover : public Simulation {
  public:
   using Make = std::function<std::unique_ptr<Simulation>()>;
 

@@ -72,8 +72,8 @@ GameLoop::~GameLoop() {
   view_.reset();  // its GL objects go before their context
 }
 
-void GameLoop::prepare(const std::filesystem::path& assets, uint32_t capacity, bool cuda) {
-  view_ = std::make_unique<WorldView>(assets, capacity, cuda);
+void GameLoop::prepare(const std::filesystem::path& assets, uint32_t capacity) {
+  view_ = std::make_unique<WorldView>(assets, capacity);
   audio_ = std::make_unique<Audio>(assets, sound_, mute_);
 }
 

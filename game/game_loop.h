@@ -30,7 +30,7 @@ class GameLoop {
   ~GameLoop();
 
   // Loads what drawing and sound need, once, for simulations of this capacity.
-  void prepare(const std::filesystem::path& assets, uint32_t capacity, bool cuda);
+  void prepare(const std::filesystem::path& assets, uint32_t capacity);
 
   // What the player chose anew, from the next frame on.
   void apply(const Settings& settings);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "game/effects/overlay.h"
 #include "game/gl_canvas.h"
@@ -20,14 +21,16 @@ constexpr uint32_t kSpareSprites = 64;  // the ship and what else is no entity
 constexpr float kBlastShown_ticks = 24;
 constexpr float kEdge_m = 3;  // sprites reach into view from outside, and move between ticks
 
-// How many particles are drawn at most: all there are where there is a GPU; without one as many as cost 7 ms of
-// processor time (docs/effects.md). A busy fight has 500 in view.
-constexpr uint32_t kParticlesDrawn = 16384, kParticlesDrawnWithoutGpu = 3072;
-
+// whyCopied: why frames of a CUDA device go through the host, when they do.
 template <class Vertex>
-std::unique_ptr<Stream<Vertex>> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda) {
+std::unique_ptr<Stream<Vertex>> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda,
+                                           [[maybe_unused]] std::string& whyCopied) {
 #ifdef GW_HAVE_CUDA
-  if (cuda) return makeCudaStream<Vertex>(capacity).stream;
+  if (cuda) {
+    CudaStream<Vertex> made = makeCudaStream<Vertex>(capacity);
+    whyCopied = std::move(made.why);
+    return std::move(made.stream);
+  }
 #endif
   return std::make_unique<MappedStream<Vertex>>(capacity);
 }
@@ -52,16 +55,52 @@ Pass loaded(const std::filesystem::path& assets) {
 
 }  // namespace
 
-WorldView::WorldView(const std::filesystem::path& assets, uint32_t capacity, bool cuda)
+WorldView::WorldView(const std::filesystem::path& assets, uint32_t capacity)
     : capacity_(capacity + kSpareSprites),
-      stream_(makeStream<SpriteVertex>(capacity_, cuda)),
-      particleStream_(makeStream<ParticleVertex>(cuda ? kParticlesDrawn : kParticlesDrawnWithoutGpu, cuda)),
       grid_(loaded<GridPass>(assets)),
       particles_(loaded<ParticlePass>(assets)),
       sprites_(loaded<SpritePass>(assets)),
       rings_(loaded<RingPass>(assets)),
       quads_(loaded<QuadPass>(assets)),
       text_(loaded<TextPass>(assets)) {}
+
+void WorldView::makeStreams(bool cuda) {
+  std::string whyCopied;
+  auto sprites = makeStream<SpriteVertex>(capacity_, cuda, whyCopied);
+  auto particles = makeStream<ParticleVertex>(cuda ? kParticlesDrawn : kParticlesDrawnWithoutGpu, cuda, whyCopied);
+  stream_ = std::move(sprites);
+  particleStream_ = std::move(particles);
+  streamsOnCuda_ = cuda;
+  if (whyCopied.empty() || toldOfCopies_) return;
+  toldOfCopies_ = true;
+  std::fprintf(stderr, "Every frame is copied through the host, because %s: \"gpuwars devices\" lists what can draw.\n",
+               whyCopied.c_str());
+}
+
+WorldView::Filled WorldView::fillStreams(Simulation& simulation, const DrawView& view, const WorldFrame& frame) {
+  if (!stream_ || simulation.onCuda() != streamsOnCuda_) makeStreams(simulation.onCuda());
+  Filled filled;
+  filled.sprites = stream_->begin();
+  simulation.drawList(view, {filled.sprites.vertices, filled.sprites.capacity, filled.sprites.command});
+  stream_->written();
+  filled.particles = particleStream_->begin();
+  if (frame.effects.particles) {
+    simulation.particleList(view, frame.alpha + frame.afterEnd_ticks,
+                            {filled.particles.vertices, filled.particles.capacity, filled.particles.command});
+  }
+  particleStream_->written();
+  return filled;
+}
+
+WorldView::Filled WorldView::fill(Simulation& simulation, const DrawView& view, const WorldFrame& frame) {
+  try {
+    return fillStreams(simulation, view, frame);
+  } catch (const DeviceError& error) {
+    simulation.dropDevice(error.what());
+    stream_.reset();  // whatever it was in the midst of
+    return fillStreams(simulation, view, frame);
+  }
+}
 
 void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame,
                      const Screens& screens) {
@@ -72,15 +111,7 @@ void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, c
   view.centre_x += shake.x;
   view.centre_y += shake.y;
 
-  const StreamRegion region = stream_->begin();
-  simulation.drawList(withEdge(view), {region.vertices, region.capacity, region.command});
-  stream_->written();
-  const ParticleRegion particles = particleStream_->begin();
-  if (frame.effects.particles) {
-    simulation.particleList(withEdge(view), frame.alpha + frame.afterEnd_ticks,
-                            {particles.vertices, particles.capacity, particles.command});
-  }
-  particleStream_->written();
+  const auto [region, particles] = fill(simulation, withEdge(view), frame);
   simulation.park();
 
   drawBackground(run, rules, view, frame);

@@ -31,20 +31,35 @@ struct WorldFrame {
 
 class WorldView {
  public:
-  // Needs a current GL context. `capacity` is the simulation's; `cuda`: kernels write on a CUDA device.
-  // Throws UserError with ExitCode::badFile when an asset is missing or damaged.
-  WorldView(const std::filesystem::path& assets, uint32_t capacity, bool cuda);
+  // How many particles are drawn at most: all there are where there is a GPU; without one as many as cost 7 ms of
+  // processor time (docs/effects.md). A busy fight has 500 in view.
+  static constexpr uint32_t kParticlesDrawn = 16384, kParticlesDrawnWithoutGpu = 3072;
 
+  // Needs a current GL context. `capacity` is the simulation's.
+  // Throws UserError with ExitCode::badFile when an asset is missing or damaged.
+  WorldView(const std::filesystem::path& assets, uint32_t capacity);
+
+  // On whichever device the run is now. When CUDA fails on the way to OpenGL the simulation drops that device
+  // (Simulation::dropDevice), and the picture is drawn from the next one; DeviceError when there is none.
   using Screens = std::function<void(Canvas&)>;
   void draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame, const Screens& screens);
 
  private:
+  struct Filled {
+    StreamRegion sprites;
+    ParticleRegion particles;
+  };
+  Filled fill(Simulation& simulation, const DrawView& view, const WorldFrame& frame);
+  Filled fillStreams(Simulation& simulation, const DrawView& view, const WorldFrame& frame);
+  void makeStreams(bool cuda);
   void drawBackground(Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame);
   void drawEffects(const Run& run, const Camera& camera, const WorldFrame& frame);
   void drawRings(const Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame);
 
   uint32_t capacity_;
-  std::unique_ptr<SpriteStream> stream_;
+  bool toldOfCopies_ = false;
+  bool streamsOnCuda_ = false;            // what the streams are for
+  std::unique_ptr<SpriteStream> stream_;  // null: not made yet
   std::unique_ptr<ParticleStream> particleStream_;
   GridPass grid_;
   ParticlePass particles_;

@@ -1,39 +1,81 @@
 #include "gpu/device_list.h"
 
 #include <thread>
+#include <utility>
 
 #ifdef GW_HAVE_CUDA
 #include <cuda_runtime_api.h>
+
+#include <fstream>
+#include <iterator>
 #endif
 
 namespace gw {
+namespace {
+
+#ifdef GW_HAVE_CUDA
+std::string installedRelease() {
+  std::ifstream file("/proc/driver/nvidia/version");
+  return driverReleaseIn(std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+void addCudaDevices(DeviceList& list) {
+  CudaAnswers answers;
+  cudaDriverGetVersion(&answers.driverVersion);
+  cudaRuntimeGetVersion(&answers.runtimeVersion);
+  answers.driverRelease = installedRelease();
+  answers.oldestArchitecture = oldestOf(GW_CUDA_ARCHITECTURES);
+  int count = 0;
+  cudaError_t error = cudaGetDeviceCount(&count);
+  for (int i = 0; error == cudaSuccess && i < count; ++i) {
+    cudaDeviceProp properties{};
+    error = cudaGetDeviceProperties(&properties, i);
+    if (error != cudaSuccess) break;
+    DeviceInfo device{"cuda", properties.name};
+    device.architecture = properties.major * 10 + properties.minor;
+    device.memory_MiB = properties.totalGlobalMem >> 20;
+    device.detail = "sm_" + std::to_string(device.architecture) + ", " + std::to_string(device.memory_MiB) + " MiB";
+    answers.devices.push_back({device.name, device.architecture});
+    device.problem = tooOld(answers.devices.back(), answers.oldestArchitecture);
+    list.devices.push_back(std::move(device));
+  }
+  if (error != cudaSuccess) {
+    answers.error = cudaGetErrorString(error);
+    answers.insufficientDriver = error == cudaErrorInsufficientDriver;
+    answers.noDevice = error == cudaErrorNoDevice;
+    cudaGetLastError();  // it has been dealt with
+  }
+  CudaVerdict verdict = judgeCuda(answers);
+  list.cudaState = verdict.state;
+  list.cudaMissing = std::move(verdict.why);
+  list.driverRelease = std::move(answers.driverRelease);
+  list.driverVersion = answers.driverVersion;
+  list.runtimeVersion = answers.runtimeVersion;
+}
+#else
+void addCudaDevices(DeviceList& list) {
+  list.cudaState = CudaState::notBuilt;
+  list.cudaMissing = "This build has no cuda device (nvcc was not found when it was configured).";
+}
+#endif
+
+}  // namespace
 
 DeviceList listDevices() {
   DeviceList list;
-#ifdef GW_HAVE_CUDA
-  int count = 0;
-  const cudaError_t error = cudaGetDeviceCount(&count);
-  if (error != cudaSuccess) {
-    list.cudaMissing = std::string("No CUDA device answers (") + cudaGetErrorString(error) + ").";
-  } else if (count == 0) {
-    list.cudaMissing = "The CUDA driver is here but finds no device.";
-  }
-  for (int i = 0; error == cudaSuccess && i < count; ++i) {
-    cudaDeviceProp properties{};
-    if (cudaGetDeviceProperties(&properties, i) != cudaSuccess) continue;
-    list.devices.push_back({"cuda", properties.name,
-                            "sm_" + std::to_string(properties.major) + std::to_string(properties.minor) + ", " +
-                                std::to_string(properties.totalGlobalMem >> 20) + " MiB"});
-  }
-  if (error == cudaSuccess && count > 0 && list.devices.empty()) {
-    list.cudaMissing = "The CUDA driver lists devices but describes none.";
-  }
-#else
-  list.cudaMissing = "This build has no cuda device (nvcc was not found when it was configured).";
-#endif
+  addCudaDevices(list);
   const unsigned threads = std::thread::hardware_concurrency();
   list.devices.push_back({"cpu", "worker pool", std::to_string(threads ? threads : 1) + " threads"});
   return list;
+}
+
+std::optional<int> currentCudaDevice() {
+#ifdef GW_HAVE_CUDA
+  int device = 0;
+  if (cudaGetDevice(&device) == cudaSuccess) return device;
+  cudaGetLastError();
+#endif
+  return std::nullopt;
 }
 
 }  // namespace gw

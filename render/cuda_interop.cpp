@@ -1,133 +1,125 @@
 #include "render/cuda_interop.h"
 
-// Before CUDA's: its header would otherwise pull in the system's gl.h, which GLEW refuses to follow.
-#include <GL/glew.h>
-#include <cuda_gl_interop.h>
-#include <cuda_runtime_api.h>
-
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+#include <cstring>
+
+#include "render/cuda_objects.h"
 
 namespace gw {
 namespace {
 
-void checkCuda(cudaError_t result, const char* doing) {
-  if (result == cudaSuccess) return;
-  throw std::runtime_error(std::string("CUDA failed while ") + doing + " (" + cudaGetErrorString(result) +
-                           "): update the NVIDIA driver, or run with --device cpu.");
+// The draw command that a kernel writes lies in pinned host memory: 16 bytes over the bus. So when the writer has
+// finished the host knows how many live, and copies just those, without a read-back to wait for and without moving a
+// whole capacity that may be a hundred times as large.
+uint32_t instancesIn(const DrawArraysCommand& command, uint32_t capacity) {
+  return std::min(command.instanceCount, capacity);
 }
 
-// Kernels write OpenGL's own buffers. Mapping orders the two sides: GL commands issued before the map are
-// finished before CUDA writes, and CUDA's writes before the GL commands issued after the unmap. So one
-// region is enough, and there are no fences.
+// Kernels write staging buffers; the draw stream copies them into OpenGL's own.
 template <class Vertex>
 class SharedStream final : public Stream<Vertex> {
  public:
   explicit SharedStream(uint32_t capacity)
       : capacity_(capacity),
-        vertices_(makeGlBuffer(size_t(capacity) * sizeof(Vertex), nullptr, 0)),
-        command_(makeGlBuffer(sizeof(DrawArraysCommand), &this->kDrawNothing, 0)) {
-    // WriteDiscard only where every frame writes all that is drawn: begin() copies the command, and may read it.
-    registerBuffer(0, vertices_.get(), cudaGraphicsRegisterFlagsWriteDiscard);
-    registerBuffer(1, command_.get(), cudaGraphicsRegisterFlagsNone);
+        commands_(makeGlBuffer(sizeof(DrawArraysCommand) * this->kRegions, nullptr, GL_DYNAMIC_STORAGE_BIT)),
+        h_commands_(allocatePinned<DrawArraysCommand>(this->kRegions)),
+        drawStream_(makeCudaQueue()) {
+    for (Region& region : regions_) {
+      region.d_staging = allocateDevice<Vertex>(capacity);
+      region.vertices = makeGlBuffer(size_t(capacity) * sizeof(Vertex), nullptr, 0);
+      region.shared = shareWithCuda(region.vertices);
+      region.copied = makeCudaEvent();
+    }
   }
 
   ~SharedStream() override {
-    if (mapped_) cudaGraphicsUnmapResources(GLsizei(resources_.size()), resources_.data(), nullptr);
-    for (cudaGraphicsResource_t resource : resources_) {
-      if (resource != nullptr) cudaGraphicsUnregisterResource(resource);
-    }
+    cudaStreamSynchronize(drawStream_.get());  // the last copies still use what goes now
   }
 
   RegionOf<Vertex> begin() override {
-    checkCuda(cudaGraphicsMapResources(int(resources_.size()), resources_.data(), nullptr), "mapping the sprites");
-    mapped_ = true;
-    RegionOf<Vertex> region;
-    size_t vertices_bytes = 0, command_bytes = 0;
-    void* d_vertices = nullptr;
-    void* d_command = nullptr;
-    checkCuda(cudaGraphicsResourceGetMappedPointer(&d_vertices, &vertices_bytes, resources_[0]), "mapping the sprites");
-    checkCuda(cudaGraphicsResourceGetMappedPointer(&d_command, &command_bytes, resources_[1]), "mapping the sprites");
-    checkCuda(
-        cudaMemcpyAsync(d_command, &this->kDrawNothing, sizeof(DrawArraysCommand), cudaMemcpyHostToDevice, nullptr),
-        "clearing the draw command");
-    // The map is ordered before work in the default stream only; the simulation's own stream does not know of it.
-    checkCuda(cudaStreamSynchronize(nullptr), "mapping the sprites");
-    region.vertices = static_cast<Vertex*>(d_vertices);
-    region.capacity = std::min(capacity_, uint32_t(vertices_bytes / sizeof(Vertex)));
-    region.command = static_cast<DrawArraysCommand*>(d_command);
-    region.vertexBuffer = vertices_.get();
-    region.commandBuffer = command_.get();
-    return region;
+    current_ = (current_ + 1) % this->kRegions;
+    Region& region = regions_[current_];
+    check(cudaEventSynchronize(region.copied.get()), "waiting for an earlier frame's sprites");
+    command() = this->kDrawNothing;
+    RegionOf<Vertex> out;
+    out.vertices = region.d_staging.get();
+    out.capacity = capacity_;
+    out.command = &command();
+    out.vertexBuffer = region.vertices.get();
+    out.commandBuffer = commands_.get();
+    out.commandOffset_bytes = current_ * sizeof(DrawArraysCommand);
+    return out;
   }
 
   void written() override {
-    // Whatever stream the writer used. A tick takes well under a millisecond, so a whole device wait is no loss.
-    checkCuda(cudaDeviceSynchronize(), "writing the sprites");
-    mapped_ = false;
-    checkCuda(cudaGraphicsUnmapResources(int(resources_.size()), resources_.data(), nullptr),
-              "handing over the sprites");
+    command().instanceCount = instancesIn(command(), capacity_);
+    if (command().instanceCount > 0) copy(regions_[current_], command().instanceCount);
+    glNamedBufferSubData(commands_.get(), GLintptr(current_ * sizeof(DrawArraysCommand)), sizeof(DrawArraysCommand),
+                         &command());
+    checkGl("handing over the sprites");
   }
 
-  void end() override {}  // the next map waits by itself
+  void end() override {}  // the next map of this region waits by itself
 
  private:
-  void registerBuffer(size_t which, GLuint buffer, unsigned flags) {
-    const cudaError_t result = cudaGraphicsGLRegisterBuffer(&resources_[which], buffer, flags);
-    if (result == cudaSuccess) return;
-    resources_[which] = nullptr;
-    for (cudaGraphicsResource_t resource : resources_) {
-      if (resource != nullptr) cudaGraphicsUnregisterResource(resource);
-    }
-    checkCuda(result, "sharing the sprites with OpenGL");
+  struct Region {
+    DeviceArray<Vertex> d_staging;
+    GlBuffer vertices;
+    CudaOwner<cudaGraphicsResource_t> shared;  // after the buffer: goes before it
+    CudaOwner<cudaEvent_t> copied;
+  };
+
+  DrawArraysCommand& command() { return h_commands_.get()[current_]; }
+
+  void copy(const Region& region, uint32_t count) {
+    MappedResource mapped(region.shared.get(), drawStream_.get());
+    check(cudaMemcpyAsync(mapped.address(), region.d_staging.get(), size_t(count) * sizeof(Vertex),
+                          cudaMemcpyDeviceToDevice, drawStream_.get()),
+          "copying the sprites");
+    mapped.unmap();
+    check(cudaEventRecord(region.copied.get(), drawStream_.get()), "copying the sprites");
   }
 
   uint32_t capacity_;
-  GlBuffer vertices_, command_;
-  std::array<cudaGraphicsResource_t, 2> resources_{};
-  bool mapped_ = false;
+  GlBuffer commands_;
+  PinnedArray<DrawArraysCommand> h_commands_;
+  CudaOwner<cudaStream_t> drawStream_;
+  std::array<Region, Stream<Vertex>::kRegions> regions_;
+  uint32_t current_ = Stream<Vertex>::kRegions - 1;
 };
 
-struct FreeDevice {
-  void operator()(void* d_memory) const { cudaFree(d_memory); }
-};
-
-template <class T>
-std::unique_ptr<T, FreeDevice> allocateDevice(size_t count) {
-  void* d_memory = nullptr;
-  checkCuda(cudaMalloc(&d_memory, count * sizeof(T)), "making room for the sprites");
-  return std::unique_ptr<T, FreeDevice>(static_cast<T*>(d_memory));
-}
-
-// OpenGL draws on another device: kernels write a buffer of their own, and what lives of it is copied into
-// the persistent maps of an ordinary VertexStream.
+// OpenGL draws on another device: what lives goes through pinned memory into the maps of an ordinary MappedStream. The
+// host waits for that copy, which waits for no frame; so one staging buffer is enough.
 template <class Vertex>
 class CopiedStream final : public Stream<Vertex> {
  public:
   explicit CopiedStream(uint32_t capacity)
       : host_(capacity),
-        d_vertices_(allocateDevice<Vertex>(capacity)),
-        d_command_(allocateDevice<DrawArraysCommand>(1)) {}
+        d_staging_(allocateDevice<Vertex>(capacity)),
+        h_vertices_(allocatePinned<Vertex>(capacity)),
+        h_command_(allocatePinned<DrawArraysCommand>(1)),
+        copyStream_(makeCudaQueue()) {}
 
   RegionOf<Vertex> begin() override {
-    checkCuda(cudaMemcpy(d_command_.get(), &this->kDrawNothing, sizeof(DrawArraysCommand), cudaMemcpyHostToDevice),
-              "clearing the draw command");
     region_ = host_.begin();
-    RegionOf<Vertex> region = region_;
-    region.vertices = d_vertices_.get();
-    region.command = d_command_.get();
-    return region;
+    *h_command_ = this->kDrawNothing;
+    RegionOf<Vertex> out = region_;
+    out.vertices = d_staging_.get();
+    out.command = h_command_.get();
+    return out;
   }
 
   void written() override {
-    checkCuda(cudaDeviceSynchronize(), "writing the sprites");
-    DrawArraysCommand command;
-    checkCuda(cudaMemcpy(&command, d_command_.get(), sizeof command, cudaMemcpyDeviceToHost), "copying the sprites");
-    command.instanceCount = std::min(command.instanceCount, region_.capacity);
-    checkCuda(cudaMemcpy(region_.vertices, d_vertices_.get(), size_t(command.instanceCount) * sizeof(Vertex),
-                         cudaMemcpyDeviceToHost),
-              "copying the sprites");
+    DrawArraysCommand command = *h_command_;
+    command.instanceCount = instancesIn(command, region_.capacity);
+    const size_t bytes = size_t(command.instanceCount) * sizeof(Vertex);
+    if (bytes > 0) {
+      check(cudaMemcpyAsync(h_vertices_.get(), d_staging_.get(), bytes, cudaMemcpyDeviceToHost, copyStream_.get()),
+            "copying the sprites");
+      check(cudaStreamSynchronize(copyStream_.get()), "copying the sprites");
+      std::memcpy(region_.vertices, h_vertices_.get(), bytes);
+    }
     *region_.command = command;
     host_.written();
   }
@@ -137,35 +129,50 @@ class CopiedStream final : public Stream<Vertex> {
  private:
   MappedStream<Vertex> host_;
   RegionOf<Vertex> region_;
-  std::unique_ptr<Vertex, FreeDevice> d_vertices_;
-  std::unique_ptr<DrawArraysCommand, FreeDevice> d_command_;
+  DeviceArray<Vertex> d_staging_;
+  PinnedArray<Vertex> h_vertices_;
+  PinnedArray<DrawArraysCommand> h_command_;
+  CudaOwner<cudaStream_t> copyStream_;
 };
 
 // Why the current context cannot share memory with the current CUDA device; empty when it can.
 std::string whyNotShared() {
   int current = 0;
-  checkCuda(cudaGetDevice(&current), "asking for the device");
+  check(cudaGetDevice(&current), "asking for the device");
   unsigned count = 0;
   std::array<int, 16> devices{};
-  const cudaError_t result = cudaGLGetDevices(&count, devices.data(), unsigned(devices.size()), cudaGLDeviceListAll);
-  if (result != cudaSuccess) {
+  if (cudaGLGetDevices(&count, devices.data(), unsigned(devices.size()), cudaGLDeviceListAll) != cudaSuccess) {
     cudaGetLastError();  // a context of another vendor answers with an error: it is an answer, not a failure to keep
-    return "OpenGL does not draw on an NVIDIA GPU";
+    count = 0;
   }
   const auto end = devices.begin() + std::min<size_t>(count, devices.size());
-  return std::find(devices.begin(), end, current) == end ? "OpenGL draws on another GPU" : "";
+  if (std::find(devices.begin(), end, current) == end) {
+    return std::string("OpenGL draws with ") + reinterpret_cast<const char*>(glGetString(GL_RENDERER)) +
+           ", which is not the CUDA device";
+  }
+  // The right GPU may refuse all the same, as a slice of one does.
+  const GlBuffer trial = makeGlBuffer(sizeof(DrawArraysCommand), nullptr, 0);
+  cudaGraphicsResource_t resource = nullptr;
+  const cudaError_t result =
+      cudaGraphicsGLRegisterBuffer(&resource, trial.get(), cudaGraphicsRegisterFlagsWriteDiscard);
+  if (result == cudaSuccess) {
+    cudaGraphicsUnregisterResource(resource);
+    return "";
+  }
+  cudaGetLastError();
+  return std::string("CUDA refuses OpenGL's memory (") + cudaGetErrorString(result) + ")";
 }
 
 }  // namespace
 
 template <class Vertex>
-CudaStream<Vertex> makeCudaStream(uint32_t capacity) {
-  std::string why = whyNotShared();
+CudaStream<Vertex> makeCudaStream(uint32_t capacity, Sharing sharing) {
+  std::string why = sharing == Sharing::never ? "nobody asked for it" : whyNotShared();
   if (why.empty()) return {std::make_unique<SharedStream<Vertex>>(capacity), true, ""};
   return {std::make_unique<CopiedStream<Vertex>>(capacity), false, std::move(why)};
 }
 
-template CudaStream<SpriteVertex> makeCudaStream(uint32_t capacity);
-template CudaStream<ParticleVertex> makeCudaStream(uint32_t capacity);
+template CudaStream<SpriteVertex> makeCudaStream(uint32_t capacity, Sharing sharing);
+template CudaStream<ParticleVertex> makeCudaStream(uint32_t capacity, Sharing sharing);
 
 }  // namespace gw

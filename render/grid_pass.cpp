@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "render/gl_group.h"
+
 namespace gw {
 namespace {
 
@@ -41,6 +43,7 @@ GridPass::GridPass(const std::filesystem::path& assets)
     : program_(makeGlProgram(assets, "shaders/grid.vert", "shaders/grid.frag")), vertexArray_(makeGlVertexArray()) {}
 
 void GridPass::draw(const GridFrame& frame) {
+  const GlGroup group("grid");
   const Camera& camera = frame.camera;
   const float unrest = std::clamp(frame.unrest, 0.0f, 1.0f);
   const Range upright = linesInView(camera.centre_x, camera.halfWidth_m, frame.worldWidth_m);

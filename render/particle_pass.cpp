@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "render/gl_group.h"
+
 namespace gw {
 namespace {
 
@@ -27,6 +29,7 @@ ParticlePass::ParticlePass(const std::filesystem::path& assets)
 }
 
 void ParticlePass::draw(const ParticleRegion& region, const ParticleFrame& frame) {
+  const GlGroup group("particles");
   const Camera& camera = frame.camera;
   glUseProgram(program_.get());
   glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/gl_group.h"
+
 namespace gw {
 namespace {
 
@@ -79,6 +81,7 @@ void QuadPass::line(float x0_px, float y0_px, float x1_px, float y1_px, float wi
 
 void QuadPass::flush(PixelSize target) {
   if (vertices_.empty()) return;
+  const GlGroup group("user interface");
   if (vertices_.size() > bufferCapacity_) {
     bufferCapacity_ = std::max(kFirstCapacity, vertices_.size() * 2);
     buffer_ = makeGlBuffer(bufferCapacity_ * sizeof(Vertex), nullptr, GL_DYNAMIC_STORAGE_BIT);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/gl_group.h"
+
 namespace gw {
 namespace {
 
@@ -16,6 +18,7 @@ RingPass::RingPass(const std::filesystem::path& assets)
 
 void RingPass::draw(const Ring& ring, const Camera& camera, PixelSize target) {
   if (ring.radius_m <= 0 || ring.colour.alpha <= 0) return;
+  const GlGroup group("ring");
   constexpr float kLeast_m = 1e-3f;  // the shader divides by the reach
   glUseProgram(program_.get());
   glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);

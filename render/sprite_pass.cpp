@@ -1,5 +1,7 @@
 #include "render/sprite_pass.h"
 
+#include "render/gl_group.h"
+
 namespace gw {
 namespace {
 
@@ -41,6 +43,7 @@ SpritePass::SpritePass(const std::filesystem::path& assets)
 }
 
 void SpritePass::draw(const StreamRegion& region, const SpriteFrame& frame) {
+  const GlGroup group("sprites");
   const Camera& camera = frame.camera;
   const Glow glow = glowOf(frame.glow);
   const float pixelsPerMetre = float(frame.target.height) / (2 * camera.halfHeight_m);

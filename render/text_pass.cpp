@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/gl_group.h"
+
 namespace gw {
 
 namespace {
@@ -58,6 +60,7 @@ void TextPass::add(std::string_view text, float x_px, float baseline_px, const T
 
 void TextPass::flush(PixelSize target) {
   if (instances_.empty()) return;
+  const GlGroup group("text");
   if (instances_.size() > bufferCapacity_) {
     bufferCapacity_ = std::max<size_t>(1024, instances_.size() * 2);
     buffer_ = makeGlBuffer(bufferCapacity_ * sizeof(Instance), nullptr, GL_DYNAMIC_STORAGE_BIT);

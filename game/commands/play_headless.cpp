@@ -13,6 +13,7 @@
 #include "game/ui/mode_choice.h"
 #include "game/user_error.h"
 #include "game/world_view.h"
+#include "gpu/device_list.h"
 #include "render/gl_context_egl.h"
 #include "render/screenshot.h"
 
@@ -83,8 +84,7 @@ void printSummary(Run& run, const RunFactory& factory, const Options& options, u
   line("game", "seed " + std::to_string(seed) + ", " + withCommas(options.enemies) + " enemies fit, " +
                    withCommas(run.simulation().capacity()) + " entities");
   line("mode", std::string(modeName(options.mode)) + ": " + endingText(report, rules));
-  const std::string neighbours =
-      neighboursText(options.gather.value_or(Gather::exact), options.sort);
+  const std::string neighbours = neighboursText(options.gather.value_or(Gather::exact), options.sort);
   if (!neighbours.empty()) line("neighbours", neighbours + "; misses some, see docs/thesis-preset.md");
   line("ticks", withCommas(report.tick) + (report.over     ? " (over at tick " + std::to_string(report.tick) + ")"
                                            : interrupted() ? " (interrupted)"
@@ -116,11 +116,11 @@ void takePicture(Run& run, const RunFactory& factory, const Options& options) {
   const PixelSize size{int(options.width_px), int(options.height_px)};
   std::unique_ptr<GlContext> context;
   try {
-    context = makeEglContext(size);
+    context = makeEglContext(size, run.simulation().onCuda() ? currentCudaDevice() : std::nullopt);
   } catch (const std::runtime_error& error) {
     throw UserError(ExitCode::failedRun, error.what());
   }
-  WorldView view(factory.assets(), run.simulation().capacity(), run.simulation().onCuda());
+  WorldView view(factory.assets(), run.simulation().capacity());
   FollowCamera camera(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
   camera.snap(cameraTarget(run.last(), 1), float(size.width) / float(size.height));
   context->bindTarget();

@@ -36,6 +36,8 @@ Scene sceneOf(Screen screen) {
   }
 }
 
+constexpr double kFailureShown_s = 10;
+
 class PlaySession {
  public:
   explicit PlaySession(const Options& options)
@@ -49,8 +51,7 @@ class PlaySession {
     const bool atOnce = options.autopilot != Autopilot::none || options.ticks > 0;
     screen_ = atOnce ? Screen::play : Screen::title;
     atOnce ? startRun() : startAttract();
-    loop_.prepare(factory_.assets(), run_->simulation().capacity(), run_->simulation().onCuda());
-    device_ = run_->simulation().deviceName();
+    loop_.prepare(factory_.assets(), run_->simulation().capacity());
   }
 
   ExitCode play() {
@@ -172,7 +173,8 @@ class PlaySession {
     const bool pad = loop_.input().padInUse();
     const KeyHints hints = keyHints(settings_.bindings, pad);
     if (screen_ == Screen::title) {
-      drawTitle(canvas, {shown_s, device_, options_.enemies, mode_, bestText(mode_, best_.of(mode_)), hints});
+      drawTitle(canvas, {shown_s, run_->simulation().deviceName(), options_.enemies, mode_,
+                         bestText(mode_, best_.of(mode_)), hints});
       return;
     }
     if (screen_ == Screen::settings) {
@@ -188,9 +190,9 @@ class PlaySession {
     if (options_.autopilot == Autopilot::novice) hud.banner = "NOVICE AUTOPILOT";
     if (options_.autopilot == Autopilot::expert) hud.banner = "EXPERT AUTOPILOT";
     // Another game than the usual one: say so.
-    const std::string neighbours =
-        neighboursText(options_.gather.value_or(Gather::exact), options_.sort);
+    const std::string neighbours = neighboursText(options_.gather.value_or(Gather::exact), options_.sort);
     if (!neighbours.empty()) hud.banner += (hud.banner.empty() ? "" : "  ") + neighbours;
+    if (deviceFailed()) hud.banner = "GPU FAILED: THE PROCESSOR PLAYS ON";
     drawHud(canvas, run_->monitor(), rules, hud);
     if (practising()) practice_->drawPanel(canvas, rules, hints);
     if (screen_ == Screen::play && options_.autopilot == Autopilot::none) loop_.drawCrosshair(canvas);
@@ -201,6 +203,16 @@ class PlaySession {
     if (screen_ == Screen::over) {
       drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true, mode_, options_.enemies, hints});
     }
+  }
+
+  // For a while after the device failed: why a frame was late, and what plays now.
+  bool deviceFailed() {
+    if (run_->simulation().dropped().empty()) {
+      deviceFailedAt_s_ = 0;
+    } else if (deviceFailedAt_s_ == 0) {
+      deviceFailedAt_s_ = loop_.now_s();
+    }
+    return deviceFailedAt_s_ > 0 && loop_.now_s() - deviceFailedAt_s_ < kFailureShown_s;
   }
 
   void startRun() {
@@ -245,9 +257,9 @@ class PlaySession {
   Settings settings_, settingsBefore_;  // now, and when the settings screen was opened
   GameLoop loop_;
   std::unique_ptr<Run> run_;
-  std::string device_;
   Screen screen_ = Screen::title;
   double shownSince_s_ = 0;
+  double deviceFailedAt_s_ = 0;       // 0: it has not, in this run
   std::optional<SettingsMenu> menu_;  // on the settings screen
   bool padGone_ = false;              // what the pause must say
   bool attract_ = false;

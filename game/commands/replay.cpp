@@ -35,7 +35,7 @@ class ReplaySession {
     setComputingOf(config_, options, options.files.front().string());
     config_.particles = true;
     run_.emplace(makeLastingSimulation(device_, config_), std::nullopt);
-    loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity(), run_->simulation().onCuda());
+    loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity());
     const uint32_t from = std::min(options.fromTick, replay_.ticks());
     while (run_->last().tick < from && !run_->over()) tick();
     loop_.startAfresh(*run_);

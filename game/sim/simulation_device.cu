@@ -14,11 +14,26 @@
 namespace gw::GW_DEVICE {
 namespace {
 
+#if GW_ON_CUDA
+std::string nameOf(const Queue&) {
+  int device = 0;
+  cudaDeviceProp properties{};
+  check(cudaGetDevice(&device), "asking for the device");
+  check(cudaGetDeviceProperties(&properties, device), "asking for the device's name");
+  return std::string("cuda, ") + properties.name;
+}
+#else
+std::string nameOf(const Queue& queue) {
+  return "cpu, " + std::to_string(queue.pool.threads()) + (queue.pool.threads() == 1 ? " thread" : " threads");
+}
+#endif
+
 class DeviceSimulation final : public Simulation {
  public:
   explicit DeviceSimulation(const SimulationConfig& config)
       : config_(config),
         queue_({config.threads, config.order, config.protectMemory, config.blockSize, config.checkLaunches}),
+        deviceName_(nameOf(queue_)),
         state_(queue_, config),
         drawList_(queue_, state_.limits().capacity),
         candidates_(queue_, state_.limits().capacity) {
@@ -115,25 +130,18 @@ class DeviceSimulation final : public Simulation {
   float worldWidth_m() const override { return state_.limits().width_m; }
   float worldHeight_m() const override { return state_.limits().height_m; }
 
+  std::string deviceName() const override { return deviceName_; }
 #if GW_ON_CUDA
-  std::string deviceName() const override {
-    cudaDeviceProp properties{};
-    check(cudaGetDeviceProperties(&properties, 0), "asking for the device's name");
-    return std::string("cuda, ") + properties.name;
-  }
   bool onCuda() const override {
     return true;
   }
   void park() override {}
 #else
-  std::string deviceName() const override {
-    return "cpu, " + std::to_string(queue_.pool.threads()) + (queue_.pool.threads() == 1 ? " thread" : " threads");
+  bool onCuda() const override {
+    return false;
   }
   void park() override {
     queue_.pool.park();
-  }
-  bool onCuda() const override {
-    return false;
   }
 #endif
 
@@ -176,6 +184,7 @@ class DeviceSimulation final : public Simulation {
 
   SimulationConfig config_;
   Queue queue_;
+  std::string deviceName_;
   GameState state_;
   StageTimer timer_;
   DrawList drawList_;

@@ -107,6 +107,7 @@ cudaError_t failed(cudaError_t error) {
 cudaError_t entering(const char* call) {
   Driver& d = driver();
   ++d.calls;
+  d.log.push_back(call);
   const uint64_t byName = ++d.byName[call];
   if (d.sticky != cudaSuccess) return failed(d.sticky);
   const Fault& fault = d.options.fault;
@@ -200,6 +201,9 @@ uint64_t calls() {
 }
 const std::map<std::string, uint64_t>& callsByName() {
   return driver().byName;
+}
+const std::vector<std::string>& callLog() {
+  return driver().log;
 }
 std::string struck() {
   return driver().struck;

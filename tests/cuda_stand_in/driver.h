@@ -11,6 +11,8 @@
 
 #include "stand_in.h"
 
+struct cudaGraphicsResource;
+
 namespace gw::stand_in {
 
 using Work = std::function<void()>;
@@ -50,13 +52,15 @@ struct Driver {
   Options options;
   uint64_t calls = 0, kernels = 0;
   std::map<std::string, uint64_t> byName;
+  std::vector<std::string> log;
   std::string struck;
   cudaError_t sticky = cudaSuccess, last = cudaSuccess;
   std::map<uintptr_t, Block> blocks;
   std::set<CUstream_st*> streams;
   std::set<CUevent_st*> events;
-  std::map<const void*, int> sharedLimits;  // by kernel: what it was granted
-  CUstream_st nobody;                       // the default stream
+  std::set<cudaGraphicsResource*> resources;  // OpenGL's buffers that are registered; gl_interop.cpp's own
+  std::map<const void*, int> sharedLimits;    // by kernel: what it was granted
+  CUstream_st nobody;                         // the default stream
 };
 
 std::recursive_mutex& lock();

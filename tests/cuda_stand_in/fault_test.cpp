@@ -37,25 +37,28 @@ struct Seen {
   std::vector<uint64_t> hashes;
 };
 
-// The whole life of a game, as a player with --device auto has it.
-Seen playThrough(const stand_in::Options& options, std::vector<uint64_t>* callsBy = nullptr) {
+// The whole life of a game, as a player with --device auto has it. `parts`: after how many calls each part of it ended.
+Seen playThrough(const stand_in::Options& options, std::vector<uint64_t>* parts = nullptr) {
   stand_in::restart(options);
   Seen seen;
   const auto at = [&](const char* moment) {
     if (seen.struck.empty()) seen.moment = moment;
     seen.struck = stand_in::struck();
-    if (callsBy) callsBy->push_back(stand_in::calls());
   };
   testing::internal::CaptureStderr();
   const DeviceChoice device = chooseDevice(DeviceOption::automatic);
   at("choosing a device");
+  if (parts) parts->push_back(stand_in::calls());
   if (!device.why.empty()) seen.outcome = device.why;
   const std::unique_ptr<Simulation> game = makeLastingSimulation(device, config());
   at("starting the game");
+  if (parts) parts->push_back(stand_in::calls());
   for (uint32_t t = 0; t < kTicks; ++t) {
     game->tick({});
     seen.hashes.push_back(game->report().hash);
     at("playing");
+    // The first ticks, those before the first snapshot, it, and what comes after it.
+    if (parts && (t == 1 || t == 58 || t == kTicks - 1)) parts->push_back(stand_in::calls());
     if (!seen.struck.empty() && seen.moment != "playing" && t > 2) break;  // the cpu device is tested elsewhere
   }
   game->enableStageTimes(true);
@@ -63,9 +66,11 @@ Seen playThrough(const stand_in::Options& options, std::vector<uint64_t>* callsB
   seen.hashes.push_back(game->report().hash);
   game->enableStageTimes(false);
   at("timing stages");
+  if (parts) parts->push_back(stand_in::calls());
   game->countCandidates();
   game->inspect(20, 20, 50);
   at("inspecting");
+  if (parts) parts->push_back(stand_in::calls());
   std::string said = testing::internal::GetCapturedStderr();
   if (!said.empty() && said.back() == '\n') said.pop_back();
   if (seen.outcome.empty()) seen.outcome = said;
@@ -94,17 +99,17 @@ void expectTheSameGame(const Seen& seen, const std::string& what) {
   EXPECT_EQ(seen.hashes, part) << what;
 }
 
-// Which calls to let fail: all, but of the many ticks only the first, those round the snapshot, and the last.
-std::vector<uint64_t> callsToFail(const std::vector<uint64_t>& callsBy) {
-  std::vector<uint64_t> chosen;
-  const auto all = [&](uint64_t after, uint64_t until) {
-    for (uint64_t call = after + 1; call <= until; ++call) chosen.push_back(call);
-  };
-  all(0, callsBy[1]);                        // choosing, starting
-  all(callsBy[1], callsBy[3]);               // two ticks
-  all(callsBy[1 + 59], callsBy[1 + 62]);     // the snapshot
-  all(callsBy[1 + kTicks], callsBy.back());  // the rest
-  return chosen;
+// Which calls to let fail: of each part of the game the first, the middle and the last of each kind.
+std::vector<uint64_t> callsToFail(const std::vector<uint64_t>& parts, const std::vector<std::string>& log) {
+  std::set<uint64_t> chosen;
+  uint64_t begin = 0;
+  for (const uint64_t end : parts) {
+    std::map<std::string, std::vector<uint64_t>> byName;
+    for (uint64_t call = begin; call < end; ++call) byName[log[call]].push_back(call + 1);
+    for (const auto& [name, calls] : byName) chosen.insert({calls.front(), calls[calls.size() / 2], calls.back()});
+    begin = end;
+  }
+  return {chosen.begin(), chosen.end()};
 }
 
 TEST(Fault, AGameWithoutOnesRunsOnCudaAndIsTheSame) {
@@ -118,15 +123,16 @@ TEST(Fault, AGameWithoutOnesRunsOnCudaAndIsTheSame) {
 }
 
 TEST(Fault, NoneEndsOrChangesTheGame) {
-  std::vector<uint64_t> callsBy;
-  playThrough({}, &callsBy);
+  std::vector<uint64_t> parts;
+  playThrough({}, &parts);
+  const std::vector<std::string> log = stand_in::callLog();
   std::set<std::string> made;
   for (const auto& [call, times] : stand_in::callsByName()) made.insert(call);
 
   std::set<std::string> struck;
   std::map<std::string, std::map<std::string, std::set<std::string>>> table;  // moment, outcome: calls
   for (const cudaError_t error : {cudaErrorMemoryAllocation, cudaErrorLaunchFailure}) {
-    for (const uint64_t call : callsToFail(callsBy)) {
+    for (const uint64_t call : callsToFail(parts, log)) {
       stand_in::Options options;
       options.fault = {"*", call, error};
       const Seen seen = playThrough(options);

@@ -3,7 +3,6 @@
 #include <GL/glew.h>
 
 #include <cstring>
-#include <set>
 
 #include "cuda_gl_interop.h"
 #include "driver.h"
@@ -20,11 +19,6 @@ struct cudaGraphicsResource {
 
 namespace {
 
-std::set<cudaGraphicsResource*>& resources() {
-  static auto* all = new std::set<cudaGraphicsResource*>;
-  return *all;
-}
-
 // Through a buffer of its own: what is registered need not allow to be mapped or written by the host.
 void copyIntoBuffer(const cudaGraphicsResource& resource) {
   GLuint staging = 0;
@@ -35,6 +29,13 @@ void copyIntoBuffer(const cudaGraphicsResource& resource) {
 }
 
 }  // namespace
+
+uint64_t gw::stand_in::resourcesLeftMapped() {
+  if (driver().sticky != cudaSuccess) return 0;  // a dead context holds nothing
+  uint64_t mapped = 0;
+  for (const cudaGraphicsResource* resource : driver().resources) mapped += resource->mapped;
+  return mapped;
+}
 
 cudaError_t cudaGLGetDevices(unsigned* count, int* devices, unsigned room, cudaGLDeviceList) {
   GW_ENTER("cudaGLGetDevices");
@@ -53,13 +54,13 @@ cudaError_t cudaGraphicsGLRegisterBuffer(cudaGraphicsResource_t* resource, GLuin
   glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &bytes);
   if (bytes <= 0) return failed(cudaErrorInvalidValue);
   *resource = new cudaGraphicsResource{buffer, size_t(bytes), flags, allocate(size_t(bytes), false)};
-  resources().insert(*resource);
+  driver().resources.insert(*resource);
   return cudaSuccess;
 }
 
 cudaError_t cudaGraphicsUnregisterResource(cudaGraphicsResource_t resource) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaGraphicsUnregisterResource");
-  if (resources().erase(resource) == 0) return failed(cudaErrorInvalidResourceHandle);
+  if (driver().resources.erase(resource) == 0) return failed(cudaErrorInvalidResourceHandle);
   finishAll();
   release(resource->beside);
   delete resource;
@@ -70,7 +71,7 @@ cudaError_t cudaGraphicsMapResources(int count, cudaGraphicsResource_t* wanted, 
   GW_ENTER_OUTSIDE_CAPTURE("cudaGraphicsMapResources");
   if (!streamOf(stream)) return failed(cudaErrorInvalidResourceHandle);
   for (int i = 0; i < count; ++i) {
-    if (!resources().count(wanted[i]) || wanted[i]->mapped) return failed(cudaErrorInvalidResourceHandle);
+    if (!driver().resources.count(wanted[i]) || wanted[i]->mapped) return failed(cudaErrorInvalidResourceHandle);
   }
   for (int i = 0; i < count; ++i) {
     cudaGraphicsResource& resource = *wanted[i];
@@ -90,7 +91,7 @@ cudaError_t cudaGraphicsUnmapResources(int count, cudaGraphicsResource_t* wanted
   if (!on) return failed(cudaErrorInvalidResourceHandle);
   finish(*on);  // OpenGL's commands that follow see what this stream wrote, and no other
   for (int i = 0; i < count; ++i) {
-    if (!resources().count(wanted[i]) || !wanted[i]->mapped) return failed(cudaErrorInvalidResourceHandle);
+    if (!driver().resources.count(wanted[i]) || !wanted[i]->mapped) return failed(cudaErrorInvalidResourceHandle);
     copyIntoBuffer(*wanted[i]);
     wanted[i]->mapped = false;
   }
@@ -99,7 +100,7 @@ cudaError_t cudaGraphicsUnmapResources(int count, cudaGraphicsResource_t* wanted
 
 cudaError_t cudaGraphicsResourceGetMappedPointer(void** pointer, size_t* bytes, cudaGraphicsResource_t resource) {
   GW_ENTER("cudaGraphicsResourceGetMappedPointer");
-  if (!resources().count(resource) || !resource->mapped) return failed(cudaErrorInvalidResourceHandle);
+  if (!driver().resources.count(resource) || !resource->mapped) return failed(cudaErrorInvalidResourceHandle);
   *pointer = resource->beside;
   *bytes = resource->bytes;
   return cudaSuccess;

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "cuda_runtime_api.h"
 
@@ -47,8 +48,12 @@ void restart(const Options& options);
 // Calls so far, all and by name; those that only ask for error texts are not counted.
 uint64_t calls();
 const std::map<std::string, uint64_t>& callsByName();
+// Their names, in order; the first is call 1.
+const std::vector<std::string>& callLog();
 // What the fault struck: the call's name, or empty when it has not come to it.
 std::string struck();
 uint64_t kernelsRun();
+// OpenGL's buffers that a living context has in its hands.
+uint64_t resourcesLeftMapped();
 
 }  // namespace gw::stand_in

@@ -1,6 +1,7 @@
 // A frame of a run: an effect that is switched off leaves nothing behind.
 #include <algorithm>
 
+#include "game/failover.h"
 #include "game/tables/tables.h"
 #include "game/world_view.h"
 #include "render/screenshot.h"
@@ -23,7 +24,7 @@ class WorldViewGl : public GlTest {
     config_.enemies = 1024;
     config_.autopilot = Autopilot::expert;
     run_ = runWith(true);
-    view_ = std::make_unique<WorldView>(kAssets, run_->simulation().capacity(), false);
+    view_ = std::make_unique<WorldView>(kAssets, run_->simulation().capacity());
   }
 
   // Stops in a tick in which something was just killed.
@@ -122,6 +123,38 @@ TEST_F(WorldViewGl, ShakeAndFlashOfAFlushCanBeTurnedOff) {
   EXPECT_NE(with(1, 0), off);
   EXPECT_NE(with(0, 1), off);
   EXPECT_EQ(with(0, 0), off);
+}
+
+// A device that fails to write draw lists, at first or later, until it is dropped.
+class BlindDevice final : public Failover {
+ public:
+  BlindDevice(const SimulationConfig& config, uint32_t blindAfter)
+      : Failover(
+            cpu::makeSimulation(config), [config] { return cpu::makeSimulation(config); }, [](const std::string&) {}),
+        blindAfter_(blindAfter) {}
+  void drawList(const DrawView& view, const DrawTarget& target) override {
+    if (dropped().empty() && drawn_++ == blindAfter_) throw DeviceError("cannot draw");
+    Failover::drawList(view, target);
+  }
+
+ private:
+  uint32_t drawn_ = 0, blindAfter_;
+};
+
+TEST_F(WorldViewGl, ADeviceThatFailsToDrawIsDroppedAndThePictureDrawnAllTheSame) {
+  for (const uint32_t after : {0u, 1u}) {
+    GameRun healthy(cpu::makeSimulation(config_), std::nullopt);
+    GameRun blind(std::make_unique<BlindDevice>(config_, after), std::nullopt);
+    for (uint32_t t = 0; t < 40; ++t) {
+      healthy.tick({});
+      blind.tick({});
+    }
+    Settings::Effects effects;
+    effects.particles = false;  // the next device has thrown none yet
+    const Image expected = draw(healthy, effects);
+    for (int frame = 0; frame < 3; ++frame) EXPECT_EQ(draw(blind, effects).rgb, expected.rgb);
+    EXPECT_EQ(blind.simulation().dropped(), "cannot draw");
+  }
 }
 
 }  // namespace

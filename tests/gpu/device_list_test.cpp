@@ -24,20 +24,38 @@ TEST(DeviceList, TheCpuComesLastAndIsAlwaysThere) {
 
 TEST(DeviceList, SaysInOneSentenceWhyCudaIsMissing) {
   const DeviceList list = listDevices();
-  EXPECT_EQ(list.hasCuda(), list.devices.front().kind == "cuda");
-  if (list.hasCuda()) {
-    EXPECT_FALSE(list.devices.front().name.empty());
-    EXPECT_EQ(list.devices.front().detail.rfind("sm_", 0), 0u);
-    return;
-  }
+  EXPECT_EQ(list.hasCuda(), list.cudaState == CudaState::ready);
+  if (list.hasCuda()) return;
   ASSERT_FALSE(list.cudaMissing.empty());
   EXPECT_EQ(list.cudaMissing.back(), '.');
   EXPECT_EQ(list.cudaMissing.find('\n'), std::string::npos);
 #ifdef GW_HAVE_CUDA
-  EXPECT_EQ(list.cudaMissing.find("This build has no cuda device"), std::string::npos);
+  EXPECT_NE(list.cudaState, CudaState::notBuilt);
+  EXPECT_GE(list.runtimeVersion, 13000);
 #else
+  EXPECT_EQ(list.cudaState, CudaState::notBuilt);
   EXPECT_NE(list.cudaMissing.find("This build has no cuda device"), std::string::npos);
 #endif
+}
+
+TEST(DeviceList, DescribesEveryCudaDevice) {
+  const DeviceList list = listDevices();
+  if (list.devices.front().kind != "cuda") GTEST_SKIP() << "no CUDA device";
+  EXPECT_EQ(list.devices.front().problem.empty(), list.hasCuda());
+  for (const DeviceInfo& device : list.devices) {
+    if (device.kind != "cuda") continue;
+    EXPECT_FALSE(device.name.empty());
+    EXPECT_EQ(device.detail.rfind("sm_" + std::to_string(device.architecture), 0), 0u);
+    EXPECT_GT(device.architecture, 0);
+    EXPECT_GT(device.memory_MiB, 0u);
+  }
+  EXPECT_TRUE(currentCudaDevice().has_value());
+}
+
+TEST(DeviceList, TheCurrentCudaDeviceIsNoneWhereNoneAnswers) {
+  const DeviceList list = listDevices();
+  if (list.devices.front().kind == "cuda") GTEST_SKIP() << "a CUDA device answers";
+  EXPECT_FALSE(currentCudaDevice().has_value());
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 // parity_test [--assets DIR]: both devices, bit for bit. The last line says how much really ran on a GPU.
 #include <cstdio>
-#include <cstdlib>
 #include <string_view>
-#include <system_error>
 
+#include "tests/asset_folder.h"
 #include "tests/gpu/parity_fixture.h"
 #include "tests/gpu/probes.h"
 
@@ -11,13 +10,6 @@ namespace gw::test {
 namespace {
 
 std::filesystem::path folder;
-
-std::filesystem::path findAssets() {
-  if (const char* given = std::getenv("GW_ASSETS")) return given;
-  std::error_code ignored;
-  const auto beside = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "assets";
-  return std::filesystem::is_directory(beside, ignored) ? beside : std::filesystem::path(GW_SOURCE_ASSETS);
-}
 
 }  // namespace
 
@@ -29,7 +21,7 @@ const std::filesystem::path& assetFolder() {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  gw::test::folder = gw::test::findAssets();
+  gw::test::folder = gw::findAssets(GW_SOURCE_ASSETS);
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]) != "--assets" || i + 1 == argc) {
       std::fprintf(stderr, "usage: parity_test [--assets DIR] [--gtest_...]\n");

@@ -5,14 +5,16 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "render/gl_context_egl.h"
 #include "render/gl_objects.h"
+#include "tests/asset_folder.h"
 
 namespace gw {
 
-inline const std::filesystem::path kAssets = std::filesystem::path(GW_SOURCE_DIR) / "assets";
+inline const std::filesystem::path kAssets = findAssets(std::filesystem::path(GW_SOURCE_DIR) / "assets");
 inline const std::filesystem::path kGoldenImages = std::filesystem::path(GW_SOURCE_DIR) / "tests/golden_images";
 
 class GlTest : public testing::Test {
@@ -21,7 +23,7 @@ class GlTest : public testing::Test {
 
   void SetUp() override {
     try {
-      context_ = makeEglContext(kSize);
+      context_ = makeEglContext(kSize, cudaDevice());
     } catch (const std::runtime_error& error) {
       GTEST_SKIP() << error.what();
     }
@@ -33,6 +35,9 @@ class GlTest : public testing::Test {
       EXPECT_NO_THROW(checkGl("ending the test"));
     }
   }
+
+  // Where to draw best: tests of what CUDA computes say which device does.
+  virtual std::optional<int> cudaDevice() const { return std::nullopt; }
 
   std::unique_ptr<GlContext> context_;
 };

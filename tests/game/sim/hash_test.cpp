@@ -26,8 +26,8 @@ class hash : public ::testing::Test {
     on.state().cells[1].upload(on.state().cells[0].download());
     const uint32_t slot = on.scratch().sequence % Simulation::kTicksInFlight;
     cpu::hash(on.queue(), on.view());
-    TickReport report;
-    on.state().reports.download(&report, 1, slot);
+    on.state().reports.toHost(slot);
+    const TickReport report = on.state().reports.host(slot);
     return report;
   }
 };
@@ -112,8 +112,8 @@ TEST_F(hash, neither_the_arrangement_nor_the_order_of_visits_is_felt) {
   fixture.state().cells[1].upload(byId);
   const uint32_t slot = fixture.scratch().sequence % Simulation::kTicksInFlight;
   cpu::hash(fixture.queue(), fixture.view());
-  TickReport report;
-  fixture.state().reports.download(&report, 1, slot);
+  fixture.state().reports.toHost(slot);
+  const TickReport report = fixture.state().reports.host(slot);
   EXPECT_EQ(report.hash, wanted);
 }
 

@@ -20,8 +20,8 @@ SimulationConfig configWith(Gather gather) {
 uint64_t hashOf(StageFixture& fixture) {
   const uint32_t slot = fixture.scratch().sequence % Simulation::kTicksInFlight;
   cpu::hash(fixture.queue(), fixture.view());
-  TickReport report;
-  fixture.state().reports.download(&report, 1, slot);
+  fixture.state().reports.toHost(slot);
+  const TickReport report = fixture.state().reports.host(slot);
   return report.hash;
 }
 

@@ -1,0 +1,61 @@
+"""gpuwars devices: the same facts for people and for scripts, and an answer where nothing can draw."""
+import json
+import sys
+
+import program as gpuwars
+
+CUDA_STATES = {"ready", "notBuilt", "noDriver", "driverTooOld", "noDevice", "deviceTooOld", "failed"}
+
+
+def check_facts(failures, facts):
+    kinds = [device["kind"] for device in facts["devices"]]
+    failures.check(kinds[-1] == "cpu" and set(kinds[:-1]) <= {"cuda"}, f"devices are {kinds}, the cpu last")
+    failures.check(all(device["name"] and device["detail"] for device in facts["devices"]), "all of them described")
+    failures.check(facts["cudaState"] in CUDA_STATES, f"the state of CUDA has a name: {facts['cudaState']}")
+    ready = facts["cudaState"] == "ready"
+    failures.check(facts["auto"] == ("cuda" if ready else "cpu"), f"auto takes {facts['auto']}")
+    failures.check((facts["cudaMissing"] == "") == ready, f"why there is no CUDA: {facts['cudaMissing'] or '-'}")
+    failures.check(facts["autoWhy"].endswith("."), f"and why auto takes it: {facts['autoWhy']}")
+    failures.check((facts["builtWithCuda"] is None) == (facts["cudaState"] == "notBuilt"),
+                   f"the program's CUDA is {facts['builtWithCuda']}, the driver's {facts['driver']['supportsCuda']}")
+    if facts["cudaState"] == "driverTooOld":
+        failures.check(facts["builtWithCuda"] in facts["cudaMissing"], "an old driver is told what it lacks")
+
+
+def check_renderers(failures, facts):
+    ordinals = range(sum(device["kind"] == "cuda" for device in facts["devices"]))
+    for renderer in facts["renderers"]:
+        shared = renderer["sharesMemoryWithCuda"]
+        failures.check(shared is None or (shared in ordinals and renderer["name"] and not renderer["software"]),
+                       f"{renderer['place']}: {renderer['name'] or 'draws nothing'}, shares memory with {shared}")
+
+
+def main():
+    program = sys.argv[1]
+    failures = gpuwars.Failures()
+    code, stdout, stderr = gpuwars.run(program, "devices", "--json", "-")
+    failures.check(code == 0 and stderr == "", f"devices --json ends well and quietly: {code} {stderr!r}")
+    facts = json.loads(stdout)
+    check_facts(failures, facts)
+    check_renderers(failures, facts)
+
+    code, stdout, stderr = gpuwars.run(program, "devices")
+    failures.check(code == 0 and stderr == "", f"devices ends well and quietly: {code} {stderr!r}")
+    lines = stdout.splitlines()
+    failures.check(lines[-1] == f"auto takes {facts['auto']}: {facts['autoWhy']}", f"the last line: {lines[-1]}")
+    names = [thing["name"] for thing in facts["devices"] + facts["renderers"]]
+    failures.check(all(name in stdout for name in names), "whatever a script is told, people are told too")
+
+    # EGL finds its drivers by these; so here it has none.
+    nowhere = {**gpuwars.without_display(), "__EGL_VENDOR_LIBRARY_DIRS": "/nonexistent",
+               "__EGL_VENDOR_LIBRARY_FILENAMES": ""}
+    code, stdout, stderr = gpuwars.run(program, "devices", "--json", "-", environment=nowhere)
+    failures.check(code == 0 and stderr == "", f"without EGL it still ends well and quietly: {code} {stderr!r}")
+    failures.check(json.loads(stdout)["renderers"] == [], "and lists nothing that draws")
+    code, stdout, _ = gpuwars.run(program, "devices", environment=nowhere)
+    failures.check(code == 0 and "none without a display" in stdout, "in words too")
+    failures.finish()
+
+
+if __name__ == "__main__":
+    main()
