@@ -21,12 +21,12 @@ std::string installedRelease() {
 
 void addCudaDevices(DeviceList& list) {
   CudaAnswers answers;
-  cudaDriverGetVersion(&answers.driverVersion);
-  cudaRuntimeGetVersion(&answers.runtimeVersion);
+  answers.runtimeVersion = CUDART_VERSION;
   answers.driverRelease = installedRelease();
   answers.oldestArchitecture = oldestOf(GW_CUDA_ARCHITECTURES);
   int count = 0;
-  cudaError_t error = cudaGetDeviceCount(&count);
+  cudaError_t error = cudaDriverGetVersion(&answers.driverVersion);  // 0 where there is none
+  if (error == cudaSuccess) error = cudaGetDeviceCount(&count);
   for (int i = 0; error == cudaSuccess && i < count; ++i) {
     cudaDeviceProp properties{};
     error = cudaGetDeviceProperties(&properties, i);

@@ -11,7 +11,7 @@ namespace gw::GW_DEVICE {
 SortKeys::SortKeys(Queue& queue, uint32_t count) : count_(count), keys_(queue, count), sorted_(queue, count) {
   size_t bytes = 0;
   check(cub::DeviceRadixSort::SortKeys(nullptr, bytes, keys_.data(), sorted_.data(), int(count), 0, 64, queue.stream),
-        "sizing the radix sort");
+        "preparing to sort keys");
   scratch_ = Buffer<unsigned char>(queue, bytes);
 }
 
@@ -19,7 +19,7 @@ void SortKeys::run(Queue& queue, uint32_t firstBit, uint32_t endBit) {
   size_t bytes = scratch_.size();
   check(cub::DeviceRadixSort::SortKeys(scratch_.data(), bytes, keys_.data(), sorted_.data(), int(count_), int(firstBit),
                                        int(endBit), queue.stream),
-        "the radix sort");
+        "sorting keys");
   copyBytes(queue, keys_.data(), sorted_.data(), count_ * sizeof(uint64_t), Copy::onDevice);
 }
 

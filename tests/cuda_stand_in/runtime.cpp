@@ -9,7 +9,7 @@ using namespace gw::stand_in;
 
 namespace {
 
-constexpr int kVersion = 13000, kMajor = 9, kMinor = 0;
+constexpr int kVersion = CUDART_VERSION, kMajor = 9, kMinor = 0;
 constexpr size_t kShared_bytes = 48 * 1024, kSharedOptIn_bytes = 227 * 1024;
 
 }  // namespace
