@@ -21,9 +21,9 @@ void makeUntouchable(Snapshot& scene) {
 }
 }  // namespace
 
-SimulationConfig configFor(uint32_t enemies, uint32_t threads, Scene scene) {
+SimulationConfig configFor(uint32_t enemies, uint32_t threads, Scene scene, const std::filesystem::path& assets) {
   SimulationConfig config;
-  config.rules = loadRules(readRuleTexts(GW_ASSETS_DIR));
+  config.rules = loadRules(readRuleTexts(assets.empty() ? GW_ASSETS_DIR : assets));
   config.enemies = enemies;
   config.threads = threads;
   const bool mixed = scene == Scene::mixed || scene == Scene::horde;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <vector>
 
 #include "game/sim/simulation.h"
@@ -29,7 +30,8 @@ constexpr const char* nameOf(Scene scene) {
 
 // The game's own rules, but nothing costs the ship anything. Uniform and swarm: the first type always sees the ship,
 // the others only in a swarm; nothing else spawns. Horde: all see it.
-SimulationConfig configFor(uint32_t enemies, uint32_t threads, Scene scene);
+SimulationConfig configFor(uint32_t enemies, uint32_t threads, Scene scene,
+                           const std::filesystem::path& assets = {});  // empty: the source tree's
 
 Snapshot sceneOf(Scene scene, Simulation& sim, const SimulationConfig& config);
 

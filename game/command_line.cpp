@@ -147,6 +147,15 @@ class VerbParser {
     values_.flag(
         "--protect-memory", "the cpu device's memory is unreadable outside launches and copies",
         [&] { options_.protectMemory = true; }, kDiagnostics);
+    values_.integer(
+        "--block-size", "threads per block of the cuda device (128)", 32, 1024,
+        [&](uint64_t v) {
+          if (v % 32 != 0) {
+            throw UsageError(fmt::format("'--block-size {}' does not work; give a multiple of 32 from 32 to 1024", v));
+          }
+          options_.blockSize = uint32_t(v);
+        },
+        kDiagnostics);
     values_.path(
         "--assets", "folder of shaders and rule tables", "DIR", [&](std::string v) { options_.assetsDir = v; },
         kDiagnostics);
@@ -263,6 +272,9 @@ class VerbParser {
     }
     if (o.verb == Verb::verify && !o.jsonPath.empty() && o.jsonPath == o.hashesPath) {
       refuse("'--json' and '--hashes' name the same place; give each its own");
+    }
+    if (o.device == DeviceOption::cpu && o.blockSize != Options().blockSize) {
+      refuse("'--block-size' is about the cuda device; leave it out or choose '--device cuda'");
     }
     if (o.device == DeviceOption::cuda && (o.order != VisitOrder::forward || o.protectMemory)) {
       refuse("'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'");

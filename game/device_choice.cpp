@@ -72,6 +72,7 @@ void setComputing(SimulationConfig& config, const Options& options) {
   config.threads = options.threads;
   config.order = options.order;
   config.protectMemory = options.protectMemory;
+  config.blockSize = options.blockSize;
 }
 
 void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file) {

@@ -5,6 +5,7 @@
 
 #include "gpu/cuda_check.h"
 #include "gpu/exec_options.h"
+#include "gpu/kernel_count.h"
 
 namespace gw::GW_DEVICE {
 
@@ -15,16 +16,24 @@ class Queue {
   explicit Queue(const ExecOptions& options) : blockSize(options.blockSize), checksLaunches(options.checkLaunches) {
     check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
   }
-  ~Queue() { cudaStreamDestroy(stream); }
+  ~Queue() {
+    if (cudaStreamSynchronize(stream) == cudaSuccess) cudaKernelsRun += pending;
+    cudaStreamDestroy(stream);
+  }
   Queue(const Queue&) = delete;
   Queue& operator=(const Queue&) = delete;
 
-  void synchronise() { check(cudaStreamSynchronize(stream), "waiting for the device"); }
+  void synchronise() {
+    check(cudaStreamSynchronize(stream), "waiting for the device");
+    cudaKernelsRun += pending;
+    pending = 0;
+  }
 
   cudaStream_t stream = nullptr;
   uint32_t blockSize;
   bool checksLaunches;
   uint64_t launches = 0;  // so far; captured ones count once
+  uint64_t pending = 0;   // kernels that were to run since the queue was waited for; those of a graph at each replay
 };
 
 // Launch errors show at once; what fails while running shows at the next synchronisation, which is here when the queue
@@ -39,6 +48,7 @@ void launch(Queue& queue, uint32_t blocks, uint32_t threads, size_t shared_bytes
   config.stream = queue.stream;
   check(cudaLaunchKernelEx(&config, kernel, arguments...), "launching a kernel");
   ++queue.launches;
+  ++queue.pending;
   if (queue.checksLaunches) check(cudaStreamSynchronize(queue.stream), "running a kernel");
 }
 

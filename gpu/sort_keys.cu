@@ -20,6 +20,7 @@ void SortKeys::run(Queue& queue, uint32_t firstBit, uint32_t endBit) {
   check(cub::DeviceRadixSort::SortKeys(scratch_.data(), bytes, keys_.data(), sorted_.data(), int(count_), int(firstBit),
                                        int(endBit), queue.stream),
         "sorting keys");
+  ++queue.pending;  // at least: how many there are is CUB's own affair
   copyBytes(queue, keys_.data(), sorted_.data(), count_ * sizeof(uint64_t), Copy::onDevice);
 }
 

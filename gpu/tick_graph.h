@@ -23,13 +23,17 @@ class TickGraph {
     }
     check(cudaStreamBeginCapture(queue.stream, cudaStreamCaptureModeThreadLocal), "beginning to capture the tick");
     cudaGraph_t graph = nullptr;
+    const uint64_t before = queue.pending;
     try {
       launches();
     } catch (...) {
       cudaStreamEndCapture(queue.stream, &graph);
       if (graph) cudaGraphDestroy(graph);
+      queue.pending = before;
       throw;
     }
+    kernels_ = queue.pending - before;
+    queue.pending = before;  // captured, not run
     check(cudaStreamEndCapture(queue.stream, &graph), "capturing the tick");
     const cudaError_t made = cudaGraphInstantiate(&graph_, graph, 0);
     cudaGraphDestroy(graph);
@@ -51,15 +55,18 @@ class TickGraph {
   void replay(Queue& queue) {
     if (launches_) return launches_();
     check(cudaGraphLaunch(graph_, queue.stream), "launching the tick's graph");
+    queue.pending += kernels_;
   }
 
  private:
   void swap(TickGraph& other) noexcept {
     std::swap(graph_, other.graph_);
+    std::swap(kernels_, other.kernels_);
     std::swap(launches_, other.launches_);
   }
 
   cudaGraphExec_t graph_ = nullptr;
+  uint64_t kernels_ = 0;
 #else
   TickGraph(Queue&, std::function<void()> launches) : launches_(std::move(launches)) {}
 

@@ -14,9 +14,11 @@
 #include <iostream>
 #include <numeric>
 
+#include "bench/device_option.h"
 #include "bench/machine.h"
 #include "bench/neighbours/contender.h"
 #include "bench/neighbours/crowd.h"
+#include "bench/neighbours/device_ways.h"
 #include "bench/neighbours/outsiders.h"
 #include "bench/neighbours/table.h"
 #include "bench/neighbours/walk.h"
@@ -33,6 +35,7 @@ struct Wanted {
   std::vector<float> motions{0.1f};
   std::vector<uint32_t> dimensions{2};
   uint32_t frames = 100, threads = 0, crowdSteps = 0;
+  std::string device = "cpu";
   double seconds = 180.0;  // for the frames of one crowd
   std::string out, csv;
 };
@@ -46,19 +49,6 @@ struct Entrant {
   std::vector<double> misaligned{};  // shares of the entities, in the frames that were looked at
   uint64_t found = 0, missed = 0;
 };
-
-std::vector<Way> waysOf(const Cell*) {
-  return cpu::ways2();
-}
-std::vector<Way> waysOf(const Cell3*) {
-  return cpu::ways3();
-}
-std::unique_ptr<Contender<Cell>> make(const Cell*, size_t way, const ExecOptions& o, const Place& p, uint32_t n) {
-  return cpu::makeContender2(way, o, p, n);
-}
-std::unique_ptr<Contender<Cell3>> make(const Cell3*, size_t way, const ExecOptions& o, const Place& p, uint32_t n) {
-  return cpu::makeContender3(way, o, p, n);
-}
 
 double mean(const std::vector<double>& values) {  // NaN of none
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
@@ -128,16 +118,19 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
          std::vector<Row>& rows) {
   Crowd<CellT> crowd(n, distribution, 1);
   const Place place{{crowd.world[0], crowd.world[1], crowd.world[2]}, crowd.radius};
-  std::vector<Way> ways = waysOf(static_cast<CellT*>(nullptr));
+  const bool onCuda = takesCuda(wanted.device);
+  std::vector<Way> ways = waysOf<CellT>(onCuda);
   const size_t own = ways.size();
-  for (const Way& way : outsiders()) ways.push_back(way);
+  if (!onCuda) {  // they are host code
+    for (const Way& way : outsiders()) ways.push_back(way);
+  }
   std::vector<Entrant<CellT>> entrants;
   std::string leftOut;
   for (size_t w = 0; w < ways.size(); ++w) {
     if (n > ways[w].most || (w > 0 && !isAsked(ways[w], wanted.only)))
       continue;  // the first is what the others are compared with
     const ExecOptions options{wanted.threads};
-    Entrant<CellT> e{ways[w], w < own ? make(static_cast<CellT*>(nullptr), w, options, place, n)
+    Entrant<CellT> e{ways[w], w < own ? make(static_cast<CellT*>(nullptr), onCuda, w, options, place, n)
                                       : makeOutsider<CellT>(w - own, options, place, n)};
     e.build_ms = milliseconds([&] { e.contender->start(crowd.byId); });
     const double frame_s = w > 0 ? expectedGather_s(*e.contender, n) : 0.0;
@@ -219,8 +212,9 @@ void save(const Wanted& wanted, const std::vector<AnyRow>& rows, const std::stri
 }
 
 std::string headingOf(const Wanted& wanted, const std::string& title, const std::string& what) {
-  return "# " + title + "\n\n" + machineLine() + "\n\n" + what + "; " + std::to_string(wanted.threads) +
-         " threads (0: all); `gw_bench_neighbours`.\n";
+  return "# " + title + "\n\n" + machineLine() + "\n\n" + what + "; " +
+         (wanted.device == "cpu" ? std::to_string(wanted.threads) + " threads (0: all)" : "the cuda device") +
+         "; `gw_bench_neighbours`.\n";
 }
 
 void measure(const Wanted& wanted) {
@@ -273,6 +267,7 @@ int main(int argc, char** argv) {
                  "for a frame are left out")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--frames", wanted.frames)->check(CLI::Range(3, 100000));
+  addDeviceOption(app, wanted.device);
   app.add_option("--threads", wanted.threads)->check(CLI::Range(0, 256));
   app.add_option("--crowd-steps", wanted.crowdSteps, "instead: walk a crowd so many steps by every way, compare places")
       ->check(CLI::Range(0, 1000000));
@@ -280,7 +275,11 @@ int main(int argc, char** argv) {
   app.add_option("--csv", wanted.csv);
   CLI11_PARSE(app, argc, argv);
   try {
+    if (wanted.crowdSteps > 0 && wanted.device != "cpu") {
+      throw std::runtime_error("--crowd-steps walks on the cpu device only; leave out one of the two.");
+    }
     wanted.crowdSteps > 0 ? walkAll(wanted) : measure(wanted);
+    printKernelsRun();
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -14,6 +14,7 @@
 #include "game/user_error.h"
 #include "game/world_view.h"
 #include "gpu/device_list.h"
+#include "gpu/kernel_count.h"
 #include "render/gl_context_egl.h"
 #include "render/screenshot.h"
 
@@ -146,13 +147,15 @@ ExitCode playHeadless(const Options& options) {
   const uint64_t seed = options.seed.value_or(1);
   RunFactory factory(options);
   HashFile hashes(options.hashesPath);
-  const std::unique_ptr<Run> run = factory.make(options.mode, seed, options.autopilot, true);
+  std::unique_ptr<Run> run = factory.make(options.mode, seed, options.autopilot, true);
   const Measured measured = runTicks(*run, options, hashes);
   run->finishRecording();
   const bool quiet = hashes.isStdout();  // then stdout is data
   hashes.close();
   if (!options.screenshotPath.empty()) takePicture(*run, factory, options);
   if (!quiet) printSummary(*run, factory, options, seed, measured);
+  run.reset();  // waits for the device, so that all its kernels are counted
+  if (!quiet && factory.device().cuda) std::printf("%s CUDA kernels run\n", withCommas(cudaKernelsRun).c_str());
   return ExitCode::fine;
 }
 

@@ -20,6 +20,7 @@
 #include "game/replay/replay_reader.h"
 #include "game/ui/format.h"
 #include "game/user_error.h"
+#include "gpu/kernel_count.h"
 
 namespace gw {
 
@@ -198,9 +199,11 @@ ExitCode verifyReplays(const Options& options) {
     for (size_t tick = 0; tick < outcome.hashes.size(); ++tick) hashes.write(uint32_t(tick + 1), outcome.hashes[tick]);
   }
   hashes.close();
+  if (!quiet && device.cuda) std::printf("%s CUDA kernels run\n", withCommas(cudaKernelsRun).c_str());
   if (!options.jsonPath.empty()) {
     nlohmann::ordered_json json;
     json["exitCode"] = int(worst(outcomes));
+    json["cudaKernelsRun"] = cudaKernelsRun.load();
     json["replays"] = nlohmann::ordered_json::array();
     for (const Outcome& outcome : outcomes) json["replays"].push_back(toJson(outcome));
     writeJson(options.jsonPath, json);

@@ -69,6 +69,13 @@ TEST(CommandLine, PlayIsTheVerbWhenNoneIsNamed) {
   EXPECT_EQ(o.device, DeviceOption::cuda);
 }
 
+TEST(CommandLine, BlocksAreWholeWarps) {
+  EXPECT_EQ(accepted("").blockSize, 128u);
+  for (const uint32_t size : {32u, 64u, 256u, 1024u}) {
+    EXPECT_EQ(accepted("verify a --block-size " + std::to_string(size)).blockSize, size);
+  }
+}
+
 TEST(CommandLine, ReplayTakesAFile) {
   const Options o =
       accepted("replay run.gwr --speed 0.5 --from 600 --device cpu --broad-phase ngrid --width 640 --mute");
@@ -232,6 +239,10 @@ const Refusal kRefusals[] = {
     {"--screenshot out", "'--screenshot' is for runs without a window; add '--headless'"},
     {"--headless --ticks 5 --record x --hashes x", "'--record' and '--hashes' name the same file; give each its own"},
     {"verify a --json - --hashes -", "'--json' and '--hashes' name the same place; give each its own"},
+    {"--block-size 31", "'--block-size 31' does not work; give a whole number from 32 to 1,024"},
+    {"--block-size 1056", "'--block-size 1056' does not work; give a whole number from 32 to 1,024"},
+    {"verify a --block-size 100", "'--block-size 100' does not work; give a multiple of 32 from 32 to 1024"},
+    {"--device cpu --block-size 64", "'--block-size' is about the cuda device; leave it out or choose '--device cuda'"},
     {"--device cuda --order reversed",
      "'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'"},
     {"--device cuda --protect-memory",

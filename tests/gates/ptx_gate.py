@@ -1,11 +1,13 @@
 """Refuses contracted, approximate or order-dependent float operations in the simulation's PTX.
 
-Every simulation .cu is compiled to PTX with the project's own flags. An FMA inside an IEEE division or
-square root exists only in SASS, so PTX has to be free of them altogether.
+Every simulation .cu is compiled to PTX with the project's own flags, for each architecture of kernel_ptx.py.
+An FMA inside an IEEE division or square root exists only in SASS, so PTX has to be free of them altogether.
 """
+import itertools
 import re
 
 import gate_tools
+import kernel_ptx
 
 REFUSED = [
     (re.compile(r"^(fma|mad)\.(?!lo|hi|wide)"), "contracted multiply-add"),
@@ -15,12 +17,6 @@ REFUSED = [
 ]
 # An instruction, after an optional label or guard: "@%p1 bra", "fma.rn.f32 %f1, ...".
 INSTRUCTION = re.compile(r"^\s*(?:@!?%\w+\s+)?([a-z]\w*(?:\.[\w:]+)+)", re.MULTILINE)
-
-
-def ptx_of(command, cache, file, options):
-    kept = [option for option in options if not option.startswith(("--generate-code", "-gencode", "-arch"))]
-    words = [command.compiler, *kept, "-x", "cu", "-ptx", "-arch=sm_90", str(file)]
-    return cache.output(words, str(file), ".ptx", command.folder).read_text()
 
 
 def offences_in(name, ptx):
@@ -38,18 +34,20 @@ def offences_in(name, ptx):
 def check(source, build):
     commands, offences = gate_tools.cuda_kernel_commands(source, build)
     cache = gate_tools.CompileCache(build, "ptx")
-    entries = [0]
+    entries = dict.fromkeys(kernel_ptx.ARCHITECTURES, 0)
 
-    def look(command):
-        ptx = ptx_of(command, cache, command.file, command.options)
-        entries[0] += ptx.count(".entry")
-        return offences_in(command.file.resolve().relative_to(source).as_posix(), ptx)
+    def look(pair):
+        command, architecture = pair
+        ptx = kernel_ptx.ptx_of(command, cache, command.file, command.options, architecture).read_text()
+        entries[architecture] += ptx.count(".entry")
+        name = command.file.resolve().relative_to(source).as_posix()
+        return offences_in(f"{name} for {architecture}", ptx)
 
-    offences += gate_tools.in_parallel(look, commands)
-    print(f"{len(commands)} files, {entries[0]} kernels looked at")
-    if entries[0] == 0:
-        offences.append("no kernel in any PTX: the gate looked at nothing")
-    return offences
+    offences += gate_tools.in_parallel(look, itertools.product(commands, kernel_ptx.ARCHITECTURES))
+    print(f"{len(commands)} files, " +
+          ", ".join(f"{count} kernels for {architecture} looked at" for architecture, count in entries.items()))
+    return offences + [f"no kernel in any PTX for {architecture}: the gate looked at nothing"
+                       for architecture, count in entries.items() if count == 0]
 
 
 KERNEL = """
@@ -58,10 +56,7 @@ __global__ void planted(float* y, const float* x, float a) {{ {body} }}
 
 
 def planted(build, folder):
-    commands = [c for c in gate_tools.compile_commands(build) if c.is_cuda]
-    if not commands:
-        raise gate_tools.Skip("this build has no CUDA files (nvcc is missing or GW_CUDA is off)")
-    command = commands[0]
+    command = kernel_ptx.any_cuda_command(build)
     cache = gate_tools.CompileCache(folder, "ptx")
     contracted = [o for o in command.options if not o.startswith(("--fmad", "-fmad"))]
     cases = [  # name, body, options, what has to be caught (nothing: has to pass)
@@ -73,18 +68,18 @@ def planted(build, folder):
         ("atomic", "atomicAdd(y, x[0]);", command.options, ["float atomic"]),
     ]
 
-    def look(case):
-        name, body, options, expected = case
-        file = folder / f"{name}.cu"
+    def look(pair):
+        (name, body, options, expected), architecture = pair
+        file = folder / f"{name}_{architecture}.cu"
         file.write_text(KERNEL.format(body=body))
         if name == "flushed":
             options = [o for o in options if o != "--ftz=false"]
-        offences = offences_in(name, ptx_of(command, cache, file, options))
+        offences = offences_in(name, kernel_ptx.ptx_of(command, cache, file, options, architecture).read_text())
         if not expected:
             return [f"a clean kernel was refused: {offence}" for offence in offences]
-        return gate_tools.escaped(name, offences, expected)
+        return gate_tools.escaped(f"{name} for {architecture}", offences, expected)
 
-    return gate_tools.in_parallel(look, cases)
+    return gate_tools.in_parallel(look, itertools.product(cases, kernel_ptx.ARCHITECTURES))
 
 
 if __name__ == "__main__":

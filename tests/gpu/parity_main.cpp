@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <string_view>
 
+#include "gpu/kernel_count.h"
 #include "tests/asset_folder.h"
 #include "tests/gpu/parity_fixture.h"
-#include "tests/gpu/probes.h"
 
 namespace gw::test {
 namespace {
@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   }
   const int status = RUN_ALL_TESTS();
   if (!testing::GTEST_FLAG(list_tests)) {
-    std::printf("%llu CUDA kernels run\n", static_cast<unsigned long long>(gw::test::cudaKernelsRun.load()));
+    std::printf("%llu CUDA kernels run\n", static_cast<unsigned long long>(gw::cudaKernelsRun.load()));
   }
   return status;
 }

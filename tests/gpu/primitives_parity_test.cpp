@@ -1,6 +1,7 @@
 // Every probe on the cpu and on the cuda device, for each block size: the same words.
 #include <stdexcept>
 
+#include "gpu/kernel_count.h"
 #include "tests/gpu/parity_cases.h"
 #include "tests/gpu/parity_fixture.h"
 
@@ -29,6 +30,18 @@ TEST_P(PrimitivesParity, BothDevicesAgree) {
     EXPECT_FALSE(found) << *found << "; blocks of " << blockSize;
   }
   EXPECT_GT(cudaKernelsRun, before);
+}
+
+using KernelCount = ParityTest;
+
+// What a captured sequence holds runs at every replay, and not when it is captured.
+TEST_F(KernelCount, CountsWhatHasRun) {
+  const uint64_t before = cudaKernelsRun;
+  const std::vector<uint64_t> words(100, 1);
+  probesOnCuda().replayGraph({}, words, 20);
+  EXPECT_EQ(cudaKernelsRun - before, 60u);
+  probesOnCuda().replayGraph({}, words, 0);
+  EXPECT_EQ(cudaKernelsRun - before, 60u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, PrimitivesParity, testing::Range(size_t(0), parityCases().size()),

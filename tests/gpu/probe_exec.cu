@@ -17,7 +17,6 @@ std::vector<uint32_t> countVisits(const ExecOptions& options, uint32_t capacity,
   if (live) count.upload(live, 1);
   forEach(queue, Count{capacity, live ? count.data() : nullptr}, CountVisit{visits.data()});
   auto result = visits.download();
-  countLaunches(capacity > 0);
   return result;
 }
 
@@ -50,7 +49,6 @@ test::Words foldLines(const ExecOptions& options, const test::Words& lines) {
   const uint32_t teams = uint32_t(lines.size()) / FoldLine::kLanes;
   forEachTeam(queue, teams, FoldLine{words.data()});
   auto result = words.download();
-  countLaunches(teams > 0);
   return result;
 }
 
@@ -79,7 +77,6 @@ std::vector<uint32_t> reverseBigLine(const ExecOptions& options, const std::vect
   words.upload(line);
   forEachTeam(queue, 1, ReverseBigLine{words.data()});
   auto result = words.download();
-  countLaunches(1);
   return result;
 }
 
@@ -102,7 +99,6 @@ test::Words atomics(const ExecOptions& options, const test::Words& in) {
   Buffer<uint64_t> most(queue, 1), sum64(queue, 1);
   forEach(queue, Count{uint32_t(in.size())}, AddToTotals{sum.data(), most.data(), sum64.data(), words.data()});
   test::Words result{sum.download()[0], most.download()[0], sum64.download()[0]};
-  countLaunches(!in.empty());
   return result;
 }
 
@@ -127,7 +123,6 @@ test::Words replayGraph(const ExecOptions& options, const test::Words& in, uint3
   });
   for (uint32_t t = 0; t < ticks; ++t) graph.replay(queue);
   auto result = words.download();
-  countLaunches(n ? 3 * ticks : 0);
   return result;
 }
 

@@ -188,7 +188,6 @@ test::Gathered gather(const ExecOptions& options, test::GridShape shape, const s
       askRightly(searched, ask, shape, method);
   }
   const test::Gathered result = ask.answers.download();
-  countLaunches(method == Method::bruteForce ? 1 : 4);
   return result;
 }
 
@@ -200,7 +199,6 @@ test::Gathered gather3(const ExecOptions& options, test::GridShape shape, const 
                            searched.cellOf.data()};
   askRightly(searched, ask, shape, method);
   const test::Gathered result = ask.answers.download();
-  countLaunches(method == test::Method::bruteForce ? 1 : 4);
   return result;
 }
 
@@ -223,7 +221,6 @@ test::Binned binCells(const ExecOptions& options, const std::vector<Cell>& start
   const auto view = searched.inBins();
   test::Binned result{searched.cells.download(), searched.cellOf.download(),
                       downloaded(queue, view.begin, view.bins.all() + 2)};
-  countLaunches(4);
   return result;
 }
 
@@ -233,7 +230,6 @@ test::Binned hashCells(const ExecOptions& options, const std::vector<Cell>& star
   const auto view = searched.inBuckets();
   test::Binned result{searched.cells.download(), downloaded(queue, view.index, view.count),
                       downloaded(queue, view.begin, view.count + 2)};
-  countLaunches(5);
   return result;
 }
 
@@ -300,7 +296,6 @@ test::Gathered gatherAround(const ExecOptions& options, test::GridShape shape, c
       break;
   }
   const test::Gathered result = answers.download();
-  countLaunches(method == test::Around::bruteForce ? 1 : 4);
   return result;
 }
 
@@ -313,7 +308,6 @@ test::Lists lists(const ExecOptions& options, test::GridShape shape, const std::
   NeighbourLists lists(queue, n, n * n);
   const auto build = [&](const auto& search) { lists.build(queue, search, searched.cells.data(), radius); };
   askRightly(searched, build, shape, method);
-  countLaunches(6);
   return {lists.downloadBegin(), lists.downloadNeighbours()};
 }
 

@@ -33,7 +33,6 @@ std::vector<CellT> sortOneLine(const ExecOptions& options, const std::vector<Cel
   auto cells = uploaded(queue, line);
   forEachTeam(queue, 1, SortOneLine<CellT, Less>{cells.data(), uint32_t(line.size())});
   auto result = cells.download();
-  countLaunches(1);
   return result;
 }
 
@@ -125,7 +124,6 @@ test::GridStateOf<CellT> upkeep(const ExecOptions& options, test::GridShape shap
   state.cells = kept.cells.download();
   state.cellOf = kept.cellOf.download();
   state.moved = downloaded(queue, view.totals, 1)[0].moved;
-  countLaunches(4);
   if (upkeep == test::Upkeep::transpose) return state;
   const uint32_t lines = shape.lines();
   state.living = downloaded(queue, view.living, lines);
@@ -159,7 +157,6 @@ test::GridReport report(const ExecOptions& options, test::GridShape shape, const
   KeptGrid<CellT> kept(options, shape, start, upkeep);
   const UpkeepReport report = kept.grid.report(kept.queue, kept.cells.data());
   const Steps steps = kept.grid.steps(kept.queue, kept.cells.data());
-  countLaunches(4);
   return {report.misaligned, report.moved, report.rounds, {steps.along[0], steps.along[1], steps.along[2]}};
 }
 

@@ -19,13 +19,4 @@ Buffer<T> uploaded(Queue& queue, const std::vector<T>& source) {
   return buffer;
 }
 
-// Call it once the results are here: then the launches have really run.
-inline void countLaunches(uint64_t launches) {
-#if GW_ON_CUDA
-  test::cudaKernelsRun += launches;
-#else
-  (void)launches;
-#endif
-}
-
 }  // namespace gw::GW_DEVICE

@@ -2,7 +2,6 @@
 // downloads; so a test is host code that knows no device, and the same case can be run on both.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -141,9 +140,6 @@ struct Probes {
   Lists (*lists3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, float radius, Method);
   Gathered (*gatherAround3)(const ExecOptions&, GridShape, const std::vector<Cell3>&, float radius, Around);
 };
-
-// Kernels that probes have launched on a real CUDA device.
-inline std::atomic<uint64_t> cudaKernelsRun{0};
 
 }  // namespace gw::test
 

@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <chrono>
+
+#include "bench/copies.h"
+#include "gpu/buffer.h"
+
+namespace gw::GW_DEVICE {
+namespace {
+
+// Host memory from which the device copies at full speed.
+class HostBytes {
+ public:
+  HostBytes(Queue& queue, size_t bytes)
+      : queue_(queue), h_data_(static_cast<unsigned char*>(allocateHostBytes(queue, bytes))) {
+    std::fill_n(h_data_, bytes, static_cast<unsigned char>(1));  // pages that nobody has touched are not there yet
+  }
+  ~HostBytes() { releaseHostBytes(queue_, h_data_); }
+  HostBytes(const HostBytes&) = delete;
+  HostBytes& operator=(const HostBytes&) = delete;
+  unsigned char* data() const { return h_data_; }
+
+ private:
+  Queue& queue_;
+  unsigned char* h_data_;
+};
+
+// The best of the rounds: what the machine can do when nothing disturbs it.
+template <class CopyOnce>
+double gigabytesPerSecond(Queue& queue, size_t bytes, unsigned rounds, const CopyOnce& copyOnce) {
+  double best_s = 1e9;
+  for (unsigned round = 0; round < rounds; ++round) {
+    const auto begin = std::chrono::steady_clock::now();
+    copyOnce();
+    queue.synchronise();
+    best_s = std::min(best_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  return double(bytes) / best_s * 1e-9;
+}
+
+}  // namespace
+
+bench::CopySpeeds copySpeeds(const ExecOptions& options, size_t bytes, unsigned rounds) {
+  Queue queue(options);
+  const HostBytes host(queue, bytes);
+  Buffer<unsigned char> one(queue, bytes), other(queue, bytes);
+  queue.synchronise();
+  const auto measure = [&](const auto& copyOnce) { return gigabytesPerSecond(queue, bytes, rounds, copyOnce); };
+  bench::CopySpeeds speeds;
+  speeds.toDevice = measure([&] { one.upload(host.data(), bytes); });
+  speeds.toHost = measure([&] { one.download(host.data(), bytes); });
+  speeds.onDevice = measure([&] { copyBytes(queue, other.data(), one.data(), bytes, Copy::onDevice); });
+  return speeds;
+}
+
+}  // namespace gw::GW_DEVICE
