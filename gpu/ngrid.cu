@@ -147,8 +147,8 @@ NGrid<CellT>::NGrid(Queue& queue, NDimensions dimensions, Kept kept)
   }
   if (kept == Kept::inPlace) return;
   aside_ = Buffer<CellT>(queue, dimensions.cells());
-  if (!kFlat<CellT>) byZ_ = BinSort(queue, dimensions.cells(), dimensions.slabs * kLevelsPerLine + 1);
-  byY_ = BinSort(queue, dimensions.cells(), dimensions.lines() * kLevelsPerLine + 1);
+  if (!kFlat<CellT>) byZ_ = BinSort(queue, dimensions.cells(), dimensions.slabs * kLevelsPerLine + 1, false);
+  byY_ = BinSort(queue, dimensions.cells(), dimensions.lines() * kLevelsPerLine + 1, false);
 }
 
 template <class CellT>
