@@ -23,18 +23,18 @@ struct MarkBegins {
 
 }  // namespace
 
-BinSort::BinSort(Queue& queue, uint32_t count, uint32_t bins)
-    : count_(count), bins_(bins), begin_(queue, bins + 1), keys_(queue, count) {}
+BinSort::BinSort(Queue& queue, uint32_t count, uint32_t bins, bool wantsBegin)
+    : count_(count), bins_(bins), keys_(queue, count) {
+  if (wantsBegin) begin_ = Buffer<uint32_t>(queue, size_t(bins) + 1);
+}
 
 void BinSort::sort(Queue& queue) {
-  uint32_t bits = 0;
-  while (bits < 32 && (bins_ - 1) >> bits) ++bits;
-  keys_.run(queue, 32, 32 + bits);
-  forEach(queue, Count{count_ + 1}, MarkBegins{begin_.data(), keys_.keys(), count_, bins_});
+  keys_.run(queue, 32, 32 + bitsBelow(bins_));
+  if (begin_.size() > 0) forEach(queue, Count{count_ + 1}, MarkBegins{begin_.data(), keys_.keys(), count_, bins_});
 }
 
 size_t BinSort::bytes() const {
-  return (size_t(bins_) + 1) * sizeof(uint32_t) + keys_.bytes();
+  return begin_.size() * sizeof(uint32_t) + keys_.bytes();
 }
 
 #else
@@ -96,7 +96,7 @@ uint32_t slicesFor(uint32_t count) {
 
 }  // namespace
 
-BinSort::BinSort(Queue& queue, uint32_t count, uint32_t bins)
+BinSort::BinSort(Queue& queue, uint32_t count, uint32_t bins, bool)
     : count_(count),
       bins_(bins),
       begin_(queue, size_t(bins) + 1),

@@ -6,7 +6,7 @@
 //
 // On cpu the items are cut into slices, each of which counts its own bins (Knuth, TAOCP 5.2 D); a scan over the
 // bins, and within a bin over the slices, tells each slice where its items of each bin go. O(count + slices * bins),
-// four launches.
+// four launches. On cuda two and those of the sort (sort_keys.cu), and one for begin().
 #pragma once
 
 #include "gpu/bits.h"
@@ -75,10 +75,10 @@ struct ScatterSlice {
 class BinSort {
  public:
   BinSort() = default;
-  // count items, 1 to 2^31; bins, 1 to 2^31.
-  BinSort(Queue& queue, uint32_t count, uint32_t bins);
+  // count items, 1 to 2^31; bins, 1 to 2^31. On cuda begin() is a launch: only who wants it pays for it.
+  BinSort(Queue& queue, uint32_t count, uint32_t bins, bool wantsBegin = true);
 
-  // [bins + 1] where each bin begins in the order; the last is count. Written by run().
+  // [bins + 1] where each bin begins in the order; the last is count. Written by run(), when wanted.
   const uint32_t* begin() const { return begin_.data(); }
   uint32_t bins() const { return bins_; }
   size_t bytes() const;  // of device memory held
@@ -100,7 +100,7 @@ class BinSort {
 
  private:
   uint32_t count_ = 0, bins_ = 0;
-  Buffer<uint32_t> begin_;
+  Buffer<uint32_t> begin_;  // empty on cuda when not wanted
 #if GW_ON_CUDA
   void sort(Queue& queue);
   SortKeys keys_;

@@ -44,6 +44,13 @@ GW_FN uint32_t larger(uint32_t a, uint32_t b) {
   return a < b ? b : a;
 }
 
+// Bits that tell the numbers below `count` apart; at least 1.
+GW_FN uint32_t bitsBelow(uint32_t count) {
+  uint32_t bits = 1;
+  while (bits < 32 && (count - 1) >> bits) ++bits;
+  return bits;
+}
+
 // Maps a float that is not NaN to an integer with the same order.
 GW_FN uint32_t orderedBits(float value) {
   const uint32_t bits = bitsOf(value);

@@ -80,8 +80,9 @@ struct Team {
 // As many as the launch asks for.
 extern __shared__ __align__(16) unsigned char sharedBytes[];
 
+// The bound keeps to as many registers as one block of kLanes can have: without it a large team might not start.
 template <class Kernel>
-__global__ void forEachTeamKernel(const Kernel kernel) {
+__global__ void __launch_bounds__(Kernel::kLanes, 1) forEachTeamKernel(const Kernel kernel) {
   kernel(Team<Kernel::kLanes>{blockIdx.x}, *reinterpret_cast<typename Kernel::Shared*>(sharedBytes));
 }
 

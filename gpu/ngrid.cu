@@ -3,8 +3,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "gpu/line_sort.h"
+#include "gpu/line_order.h"
 #include "gpu/ngrid.h"
+#include "gpu/ngrid_reach.h"
 #include "gpu/ngrid_rows.h"
 #include "gpu/scan_reduce.h"
 
@@ -132,6 +133,7 @@ NGrid<CellT>::NGrid(Queue& queue, NDimensions dimensions, Kept kept)
       reach_(queue, dimensions.lines()),
       living_(queue, dimensions.lines()),
       moved_(queue, dimensions.lines()),
+      arrived_(queue, 1 + dimensions.slabs),
       slab_(queue, dimensions.slabs),
       totals_(queue, 1),
       firstColumn_(queue, size_t(dimensions.lines()) * (parts_ + 1)),
@@ -145,8 +147,8 @@ NGrid<CellT>::NGrid(Queue& queue, NDimensions dimensions, Kept kept)
   }
   if (kept == Kept::inPlace) return;
   aside_ = Buffer<CellT>(queue, dimensions.cells());
-  if (!kFlat<CellT>) byZ_ = BinSort(queue, dimensions.cells(), dimensions.slabs * kLevelsPerLine + 1);
-  byY_ = BinSort(queue, dimensions.cells(), dimensions.lines() * kLevelsPerLine + 1);
+  if (!kFlat<CellT>) byZ_ = BinSort(queue, dimensions.cells(), dimensions.slabs * kLevelsPerLine + 1, false);
+  byY_ = BinSort(queue, dimensions.cells(), dimensions.lines() * kLevelsPerLine + 1, false);
 }
 
 template <class CellT>
@@ -177,9 +179,15 @@ RowsFound NGrid<CellT>::found() const {
 }
 
 template <class CellT>
+FindReach NGrid<CellT>::findReach(bool built) const {
+  return {reach_.data(),  firstRow_.data(), firstSlab_.data(), slab_.data(),      slabTotals_.data(),
+          totals_.data(), found(),          dimensions_.rows,  dimensions_.slabs, built};
+}
+
+template <class CellT>
 size_t NGrid<CellT>::bytes() const {
   const size_t intervals = width_.size() + height_.size() + depth_.size() + reach_.size();
-  return intervals * sizeof(Interval) + (living_.size() + moved_.size()) * sizeof(uint32_t) +
+  return intervals * sizeof(Interval) + (living_.size() + moved_.size() + arrived_.size()) * sizeof(uint32_t) +
          slab_.size() * sizeof(GridSlab) + (totals_.size() + slabTotals_.size()) * sizeof(GridTotals) +
          (firstColumn_.size() + firstRow_.size() + firstSlab_.size()) * sizeof(uint16_t) + byZ_.bytes() + byY_.bytes() +
          aside_.size() * sizeof(CellT);

@@ -100,7 +100,7 @@ struct NGridView {
 
 // How a grid is going to be kept. inPlace: by maintain() or transpose(), with little memory beyond the cells: 50 bytes
 // a row and at most 24 KB, so under 64 KB for a million in 2D by chooseDimensions(). packed: by pack() and refresh()
-// too, which need about 24 bytes for each cell on cpu, 30 in 3D; on cuda about 43 and 67.
+// too, which need about 24 bytes for each cell on cpu, 30 in 3D; on cuda about 35 and 51.
 enum class Kept { inPlace, packed };
 
 struct UpkeepReport {
@@ -112,6 +112,7 @@ struct UpkeepReport {
   float widened;    // NGrid::rowsWidened()
 };
 
+struct FindReach;  // ngrid_reach.h
 struct RowsFound;  // ngrid_rows.h
 
 template <class CellT>
@@ -126,29 +127,31 @@ class NGrid {
   size_t bytes() const;  // of device memory beyond the cells, held between calls
 
   // In all that follows d_cells is [cells] and d_cellOf [cells]: upkeep leaves in d_cellOf[id] the cell of that id (ids
-  // are 0 .. cells - 1, each in exactly one cell). Null pointers throw std::invalid_argument. n is the number of cells.
+  // are 0 .. cells - 1, each in exactly one cell). Null pointers throw std::invalid_argument. n is the number of cells,
+  // m that of the longest line.
 
   // Upkeep after motion: sorts each pole by z, each column by y, then each row by x, and refreshes what is known of the
-  // rows. One pass per axis: O(n log^2 n) bitonic on cuda; on cpu insertion, O(n) for the small motion of one
-  // tick. Nothing is done while the word at d_hold (if any) is not 0: a captured tick cannot leave a launch out.
+  // rows. One pass per axis: O(n log^2 m) bitonic on cuda; on cpu insertion, O(n) for the small motion of one
+  // tick. One launch per axis. Nothing is done while the word at d_hold (if any) is not 0: a captured tick cannot leave
+  // a launch out.
   void maintain(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
 
   // Upkeep by partial odd-even transposition: one odd and one even pass along each axis (four steps in 2D, six in 3D),
-  // O(n). An entity moves by at most two cells per axis, so one that is far from its place takes many calls to
-  // reach it; a single line of m cells is in order after at most m / 2 calls (rounded up), and repeated calls without
-  // motion end with every line in order. Rows are not in order after one call and nothing is known of them: for
-  // windowed gathers only.
+  // O(n), one launch per axis. An entity moves by at most two cells per axis, so one that is far from its place takes
+  // many calls to reach it; a single line of m cells is in order after at most m / 2 calls (rounded up), and repeated
+  // calls without motion end with every line in order. Rows are not in order after one call and nothing is known of
+  // them: for windowed gathers only.
   void transpose(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
 
   // Upkeep for exact gathers, of a packed grid: all entities into rows anew, by counting levels of y (in 3D first
   // slabs by levels of z), each row put into parts of x. Nearly as good as rebuild(), for a fraction of its
   // cost whatever has moved: O(n). Levels span what the living spanned after the upkeep before. Rows are in ascending
-  // x by parts only. Follows a rebuild(), else throws std::logic_error.
+  // x by parts only. Follows a rebuild(), else throws std::logic_error. One launch and those of BinSort, in 3D of two.
   void pack(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
 
   // Upkeep with frozen rows, of a packed grid: who stands in which row stays as it is, each row is put into parts of x,
   // and what is known of rows is refreshed. Exact gathers stay exact and slow down while the rows widen: pack() when
-  // rowsWidened() says so. O(n).
+  // rowsWidened() says so. O(n), one launch.
   void refresh(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
 
   // The summed heights of the rows by what they were after the last rebuild() or pack(); infinite when they had none
@@ -157,8 +160,8 @@ class NGrid {
 
   // The full sort: all cells by y, cut into rows, each row by x (in 3D by z, cut into slabs, and those by y; the
   // packing of sort-tile-recursive R-trees, Leutenegger et al. 1997). What exact gathers start from; it depends
-  // on the entities only, not on where they stood. O(n); takes 36 bytes for each cell while it runs (on cuda some
-  // more), and waits.
+  // on the entities only, not on where they stood. O(n); allocates 36 bytes for each cell while it runs (on cuda
+  // some more) and waits, so it is for starts, not for frames.
   void rebuild(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
 
   // The other full sort: maintain() until nothing moves. What windowed gathers start from: in the order of rebuild() a
@@ -179,7 +182,7 @@ class NGrid {
  private:
   void sortRows(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold, bool built);
   void splitRows(Queue& queue, CellT* d_cells, const CellT* d_from, uint32_t* d_cellOf, bool built);
-  void findReach(Queue& queue, bool built, const uint32_t* d_hold);
+  FindReach findReach(bool built) const;
   void requirePacked() const;
   RowsFound found() const;
   GridTotals totals() const;
@@ -190,6 +193,7 @@ class NGrid {
   uint32_t parts_ = 0, rounds_ = 0;
   Buffer<Interval> width_, height_, depth_, reach_;
   Buffer<uint32_t> living_, moved_;
+  Buffer<uint32_t> arrived_;  // KeepRows
   Buffer<GridSlab> slab_;
   Buffer<GridTotals> totals_, slabTotals_;  // the latter in 3D only
   Buffer<uint16_t> firstColumn_, firstRow_, firstSlab_;

@@ -73,16 +73,16 @@ bool Steps::differBy(float share) const {
 NDimensions chooseDimensions(uint32_t n, Float3 size, float radius) {
   const int axes = checkedAxes(n, size);
   if (!isLength(radius)) throw std::invalid_argument("A radius to choose dimensions for is finite and above 0 m.");
-  constexpr uint64_t kMostColumns = kLongestLine - 16;
-  const uint64_t most = axes == 3 ? (1ull << 31) - 1 : kMostColumns * kLongestLine;
-  if (n > most) refuse(n, most);
-  const uint32_t mostSlabs = axes == 3 ? smaller(kLongestLine, n) : 1;
+  const auto mostCells = [&](uint64_t longest) { return axes == 3 ? (1ull << 31) - 1 : (longest - 16) * longest; };
+  if (n > mostCells(kLongestLine)) refuse(n, mostCells(kLongestLine));
+  const uint32_t longest = n <= mostCells(kLongLine) ? kLongLine : kLongestLine;
+  const uint32_t mostSlabs = axes == 3 ? smaller(longest, n) : 1;
   const auto forEachChoice = [&](const auto& look) {
     for (uint32_t slabs = 1; slabs <= mostSlabs; slabs += 1 + slabs / 16) {
       // Odd multiples of 16 cells: a stride that is a power of two would put a whole column into one cache set.
-      for (uint32_t columns = 16; columns <= kMostColumns; columns += 32) {
+      for (uint32_t columns = 16; columns <= longest - 16; columns += 32) {
         const NDimensions d{columns, divideUp(divideUp(n, slabs), columns), slabs};
-        if (d.rows <= kLongestLine && uint64_t(columns) * d.rows * slabs < 1ull << 31) {
+        if (d.rows <= longest && uint64_t(columns) * d.rows * slabs < 1ull << 31) {
           look(d, expectedCost(d, size, radius));
         }
       }
@@ -95,25 +95,27 @@ NDimensions chooseDimensions(uint32_t n, Float3 size, float radius) {
   forEachChoice([&](NDimensions d, double cost) {
     if (cost <= 1.03 * least && (best.columns == 0 || d.cells() < best.cells())) best = d;
   });
-  if (best.columns == 0) refuse(n, most);
+  if (best.columns == 0) refuse(n, mostCells(kLongestLine));
   return best;
 }
 
 NDimensions chooseWindowDimensions(uint32_t n, Float3 size) {
   const int axes = checkedAxes(n, size);
   const double x = size.x, y = size.y, z = size.z;
-  const auto fitting = [](double wanted, uint32_t rest) {  // so many along an axis, and no fewer than the rest demands
-    const uint32_t count = wanted < 1.0 ? 1 : wanted > kLongestLine ? kLongestLine : uint32_t(wanted);
+  const uint64_t most = axes == 3 ? (1ull << 31) - 1 : uint64_t(kLongestLine) * kLongestLine;
+  if (n > most) refuse(n, most);
+  const uint32_t longest = axes == 3 || n <= kLongLine * kLongLine ? kLongLine : kLongestLine;
+  const auto fitting = [&](double wanted, uint32_t rest) {  // so many along an axis, and no fewer than the rest demands
+    const uint32_t count = wanted < 1.0 ? 1 : wanted > longest ? longest : uint32_t(wanted);
     return larger(count, rest);
   };
   if (axes == 2) {
-    const uint32_t columns = fitting(std::sqrt(double(n) * (x / y)) + 0.5, divideUp(n, kLongestLine));
-    if (columns > kLongestLine) refuse(n, uint64_t(kLongestLine) * kLongestLine);
+    const uint32_t columns = fitting(std::sqrt(double(n) * (x / y)) + 0.5, divideUp(n, longest));
     return {columns, divideUp(n, columns)};
   }
   const double apart = cubeRoot(x * y * z / double(n));
-  const uint32_t columns = fitting(x / apart + 0.5, divideUp(n, kLongestLine * kLongestLine));
-  const uint32_t rows = fitting(y / apart + 0.5, divideUp(divideUp(n, columns), kLongestLine));
+  const uint32_t columns = fitting(x / apart + 0.5, divideUp(n, longest * longest));
+  const uint32_t rows = fitting(y / apart + 0.5, divideUp(divideUp(n, columns), longest));
   const NDimensions found{columns, rows, divideUp(divideUp(n, columns), rows)};
   if (uint64_t(found.columns) * found.rows * found.slabs >= 1ull << 31) refuse(n, (1ull << 31) - 1);
   return found;

@@ -7,8 +7,13 @@
 
 namespace gw::GW_DEVICE {
 
-// The longest row, column or pole: a line is sorted in a block's shared memory (32 KiB of cells).
-inline constexpr uint32_t kLongestLine = 2048;
+// The longest row, column or pole. A block of 1,024 lanes holds the keys of so many cells in its registers, eight a
+// lane (block_lines.h); a key has 13 bits for the column; and the index of x has 16 bits for one.
+inline constexpr uint32_t kLongestLine = 8192;
+
+// The longest that is chosen while lines of this length can hold all cells: beyond, a block is as large as blocks get,
+// so few run at a time. The dimensions of recorded games depend on it.
+inline constexpr uint32_t kLongLine = 2048;
 
 struct NDimensions {
   uint32_t columns = 0, rows = 0, slabs = 1;  // along x, y, z; in 2D one slab
@@ -19,7 +24,7 @@ struct NDimensions {
 };
 
 // All of these throw std::invalid_argument, and say which argument and the limit, when n is 0 or more cells than lines
-// of kLongestLine (by chooseDimensions(), rows of 2,032) can hold, or a length is not as described.
+// of kLongestLine (by chooseDimensions(), rows of 8,176) can hold, or a length is not as described.
 
 // For exact gathers of `radius` (m, finite, above 0) among n entities spread over a box of `size` (m, finite, above 0;
 // a z of 0 makes it 2D): the rows and slabs for which a cost model expects the fastest search. What a search pays is
@@ -28,7 +33,7 @@ struct NDimensions {
 NDimensions chooseDimensions(uint32_t n, Float3 size, float radius);
 
 // For windowed gathers: so that n entities spread over the box stand as far apart along each axis, as far as
-// kLongestLine allows. A z of 0 makes it 2D.
+// the length of lines allows. A z of 0 makes it 2D.
 NDimensions chooseWindowDimensions(uint32_t n, Float3 size);
 
 // The mean distance along each axis between neighbours on a line of that axis, both living; 0 along an axis with

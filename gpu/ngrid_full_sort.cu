@@ -3,7 +3,7 @@
 //
 // Stable sorts from the least axis to the greatest, the first from the order of ids, make the order total: by y, x and
 // id; in 3D by z, y, x and id, and within a slab by y, x and id.
-#include "gpu/neighbour.h"
+#include "gpu/line_order.h"
 #include "gpu/ngrid.h"
 #include "gpu/ngrid_rows.h"
 #include "gpu/sort_keys.h"
@@ -15,8 +15,7 @@ enum class Axis : uint32_t { x, y, z };
 
 template <class CellT>
 GW_FN uint32_t bitsAlong(const CellT& cell, Axis axis) {
-  // + 0.0f makes both zeros +0: they are one place.
-  return orderedBits((axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : heightOf(placeOf(cell))) + 0.0f);
+  return placeBits(axis == Axis::x ? xOf(cell) : axis == Axis::y ? yOf(cell) : zOf(cell));
 }
 
 // One item: one cell. A key is what to sort by, above the cell; the keys stand in the order of ids.
@@ -89,8 +88,8 @@ void NGrid<CellT>::rebuild(Queue& queue, CellT* d_cells, uint32_t* d_cellOf) {
     sortBy(Axis::z);
     forEach(queue, all, CutIntoSlabs{slabOf.data(), sort.keys(), dimensions_.columns * dimensions_.rows});
     forEach(queue, all, SlabKeys{sort.keys(), order.data(), slabOf.data()});
-    sort.run(queue, 32, 43);  // kLongestLine slabs
-    queue.synchronise();      // before what it reads goes
+    sort.run(queue, 32, 32 + bitsBelow(dimensions_.slabs));
+    queue.synchronise();  // before what it reads goes
   }
   Buffer<CellT> before(queue, n);
   copyBytes(queue, before.data(), d_cells, n * sizeof(CellT), Copy::onDevice);

@@ -10,6 +10,7 @@
 
 #include "gpu/neighbour.h"
 #include "gpu/ngrid.h"
+#include "gpu/ngrid_keep_rows.h"
 #include "gpu/ngrid_rows.h"
 
 namespace gw::GW_DEVICE {
@@ -55,118 +56,6 @@ struct MoveCell {
   GW_BODY void operator()(uint32_t from, uint32_t to) const { out[to] = in[from]; }
 };
 
-// One team: one row, put into parts of x, each part in the order it had; then what there is to know of it, and where
-// each id now stands.
-template <class CellT>
-struct SplitRows {
-  static constexpr uint32_t kLanes = kLineLanes;
-  static constexpr uint32_t kMostParts = kLongestLine + kLongestLine / 2;
-  static constexpr uint32_t kColumnBits = 11;  // of a key on cuda: part, then column
-  static_assert(1u << kColumnBits == kLongestLine);
-  struct Shared {
-    CellT line[kLongestLine];
-#if GW_ON_CUDA
-    uint32_t keys[kLongestLine];
-#else
-    uint32_t part[kLongestLine], next[kMostParts + 1];
-#endif
-    LivingBox box[kLanes];
-  };
-  CellT* cells;
-  const CellT* from;  // may be the same
-  uint32_t* cellOf;
-  RowsFound found;
-  uint32_t columns;
-
-  template <class Team>
-  GW_BODY void operator()(const Team& team, Shared& s) const {
-    const uint32_t begin = team.index * columns;
-    team.phase([&](uint32_t lane) {
-      LivingBox box = LivingBox::nothing();
-      for (uint32_t c = lane; c < columns; c += kLanes) {
-        s.line[c] = from[begin + c];
-        box.take(s.line[c]);
-      }
-      s.box[lane] = box;
-    });
-    place(team, s, scaleOf(found.before->x, found.parts), begin);
-    joinBoxes<kLanes>(team, s.box);
-    team.phase([&](uint32_t lane) {
-      if (lane == 0) writeRow(found, team.index, s.box[0]);
-    });
-  }
-
-  GW_BODY void put(const CellT& cell, uint32_t to, uint32_t& moved) const {
-    moved += cellOf[cell.id] != to;
-    cells[to] = cell;
-    cellOf[cell.id] = to;
-  }
-
-#if GW_ON_CUDA
-  template <class Team>
-  GW_BODY void place(const Team& team, Shared& s, Scale scale, uint32_t begin) const {
-    uint16_t* const firstColumn = found.firstColumn + size_t(team.index) * (found.parts + 1);
-    uint32_t padded = 1;
-    while (padded < columns) padded *= 2;
-    team.phase([&](uint32_t lane) {
-      for (uint32_t c = lane; c < padded; c += kLanes) {
-        const uint32_t part =
-            c < columns && isLiving(s.line[c].x) ? partOf(scale, found.parts, s.line[c].x) : found.parts;
-        s.keys[c] = c < columns ? part << kColumnBits | c : 0xFFFFFFFFu;
-      }
-    });
-    for (uint32_t run = 2; run <= padded; run *= 2) {
-      for (uint32_t step = run / 2; step > 0; step /= 2) {
-        team.phase([&](uint32_t lane) {
-          for (uint32_t i = lane; i < padded; i += kLanes) {
-            const uint32_t partner = i ^ step, mine = s.keys[i];
-            if (partner <= i) continue;
-            const uint32_t other = s.keys[partner];
-            if ((other < mine) != ((i & run) == 0)) continue;
-            s.keys[i] = other;
-            s.keys[partner] = mine;
-          }
-        });
-      }
-    }
-    team.phase([&](uint32_t lane) {
-      uint32_t moved = 0;
-      const auto partAt = [&](uint32_t c) { return s.keys[c] >> kColumnBits; };
-      for (uint32_t c = lane; c < columns; c += kLanes) {
-        put(s.line[s.keys[c] & (kLongestLine - 1)], begin + c, moved);
-        for (uint32_t p = c == 0 ? 0 : partAt(c - 1) + 1; p <= partAt(c); ++p) firstColumn[p] = uint16_t(c);
-        if (c + 1 == columns) {
-          for (uint32_t p = partAt(c) + 1; p <= found.parts; ++p) firstColumn[p] = uint16_t(columns);
-        }
-      }
-      s.box[lane].moved = moved;
-    });
-  }
-#else
-  template <class Team>
-  void place(const Team& team, Shared& s, Scale scale, uint32_t begin) const {
-    uint16_t* const firstColumn = found.firstColumn + size_t(team.index) * (found.parts + 1);
-    const uint32_t parts = found.parts;
-    std::fill(s.next, s.next + parts + 1, 0u);
-    for (uint32_t c = 0; c < columns; ++c) {
-      const float x = s.line[c].x;
-      s.part[c] = isLiving(x) ? partOf(scale, parts, x) : parts;
-    }
-    for (uint32_t c = 0; c < columns; ++c) ++s.next[s.part[c]];
-    uint32_t at = 0;
-    for (uint32_t p = 0; p <= parts; ++p) {
-      const uint32_t count = s.next[p];
-      firstColumn[p] = uint16_t(at);
-      s.next[p] = begin + at;
-      at += count;
-    }
-    uint32_t moved = 0;
-    for (uint32_t c = 0; c < columns; ++c) put(s.line[c], s.next[s.part[c]]++, moved);
-    s.box[0].moved = moved;
-  }
-#endif
-};
-
 }  // namespace
 
 template <class CellT>
@@ -205,8 +94,12 @@ void NGrid<CellT>::requirePacked() const {
 
 template <class CellT>
 void NGrid<CellT>::splitRows(Queue& queue, CellT* d_cells, const CellT* d_from, uint32_t* d_cellOf, bool built) {
-  forEachTeam(queue, dimensions_.lines(), SplitRows<CellT>{d_cells, d_from, d_cellOf, found(), dimensions_.columns});
-  findReach(queue, built, nullptr);
+  withTeamFor(dimensions_.columns, [&](auto team) {
+    const KeepRows<CellT, decltype(team), PartedRows> keep{
+        d_cells, d_from, d_cellOf, findReach(built), arrived_.data(), nullptr, rowsOf(dimensions_)};
+    forEachTeam(queue, keep.teams(), keep);
+  });
+  known_ = true;
   rounds_ = 1;
 }
 

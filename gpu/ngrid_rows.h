@@ -6,8 +6,6 @@
 
 namespace gw::GW_DEVICE {
 
-inline constexpr uint32_t kLineLanes = GW_ON_CUDA ? 256 : 1;  // on cpu one lane walks along its line
-
 // Levels of y that packing tells apart, for each row (of z, for each slab): enough that rows overlap little.
 inline constexpr uint32_t kLevelsPerLine = 32;
 
@@ -59,16 +57,6 @@ struct LivingBox {
     moved += other.moved;
   }
 };
-
-// Joins the boxes of all lanes into the first.
-template <uint32_t kLanes, class Team>
-GW_BODY void joinBoxes(const Team& team, LivingBox* boxes) {
-  for (uint32_t half = kLanes / 2; half > 0; half /= 2) {
-    team.phase([&](uint32_t lane) {
-      if (lane < half) boxes[lane].join(boxes[lane + half]);
-    });
-  }
-}
 
 GW_BODY inline void writeRow(const RowsFound& found, uint32_t line, const LivingBox& box) {
   // Which of two zeros is the lower one depends on who came first: + 0.0f makes both +0.

@@ -14,7 +14,9 @@ class SortKeys {
   SortKeys() = default;
   SortKeys(Queue& queue, uint32_t count);
 
-  uint64_t* keys() const { return keys_.data(); }  // [count] filled by the caller, sorted by run()
+  // [count] filled by the caller, sorted by run(), which may leave them in another buffer: ask again after it. Whoever
+  // captures a run fills and reads in the same capture.
+  uint64_t* keys() const { return keys_.data(); }
   // Compares bits firstBit .. endBit - 1, 0 <= firstBit < endBit <= 64; keys equal in these keep their order. O(count)
   // per digit.
   void run(Queue& queue, uint32_t firstBit = 0, uint32_t endBit = 64);

@@ -13,8 +13,9 @@ constexpr float kBinSize_m = 4.0f;
 // The number of cells is the game's capacity, a rule: replays depend on it, so this stays as it is whatever
 // chooseDimensions() learns. Whole rows, about 24 times as long as columns.
 NDimensions dimensionsForRows(uint32_t n) {
+  constexpr uint32_t kMostColumns = 2048;
   uint32_t columns = 16;
-  while (uint64_t(columns) * columns < 24ull * n && columns + 32 <= kLongestLine) columns += 32;
+  while (uint64_t(columns) * columns < 24ull * n && columns + 32 <= kMostColumns) columns += 32;
   return {columns, (n + columns - 1) / columns};
 }
 

@@ -80,7 +80,7 @@ class Neighbourhood {
   NDimensions dimensions() const { return dimensions_; }
 
   // After a start or a restored snapshot: from any arrangement. A gather that feels the arrangement gets one that
-  // suits it.
+  // suits it. Allocates while it runs, so it has no place in a tick.
   void arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
 
   // Frozen rows only: whether the next maintain() sorts in full. Whoever captures ticks captures both kinds.

@@ -66,6 +66,7 @@ class Runner {
     threads_ = threads;
     reversed_ = reversed;
     started_ = exited_ = atBarrier_ = 0;
+    vote_ = false;
     exitedMask_.assign((threads + kWarp - 1) / kWarp, 0u);
     warps_.assign(exitedMask_.size(), Warp{});
     while (exited_ < threads_) {
@@ -91,6 +92,12 @@ class Runner {
     ++atBarrier_;
     waiting_.push_back(current_);
     yield();
+  }
+
+  bool syncBlockOr(bool vote) {
+    vote_ |= vote;
+    syncBlock();
+    return voted_;
   }
 
   void syncWarp(unsigned mask) {
@@ -149,6 +156,8 @@ class Runner {
     for (Fiber* fiber : waiting_) ready_.push_back(fiber);
     waiting_.clear();
     atBarrier_ = 0;
+    voted_ = vote_;  // until the next barrier opens, for which all have to read it first
+    vote_ = false;
   }
 
   Fiber* idleFiber() {
@@ -200,7 +209,7 @@ class Runner {
 
   const std::function<void()>* thread_ = nullptr;
   unsigned threads_ = 0, started_ = 0, exited_ = 0, atBarrier_ = 0;
-  bool reversed_ = false;
+  bool reversed_ = false, vote_ = false, voted_ = false;
   Fiber scheduler_;
   Fiber *current_ = &scheduler_, *left_ = nullptr;
   std::vector<std::unique_ptr<Fiber>> fibers_;
@@ -230,6 +239,9 @@ void runGrid(const cudaLaunchConfig_t& config, const std::function<void()>& thre
 
 void syncBlock() {
   runner().syncBlock();
+}
+bool syncBlockOr(bool vote) {
+  return runner().syncBlockOr(vote);
 }
 void syncWarp(unsigned mask) {
   runner().syncWarp(mask);

@@ -38,8 +38,8 @@ TEST(ChooseDimensions, HoldsNWithLessThanARowToSpare) {
     ASSERT_GE(found.cells(), n);
     ASSERT_LT(found.cells() - n, found.columns);
     ASSERT_EQ(found.slabs, 1u);
-    ASSERT_LE(found.columns, kLongestLine);
-    ASSERT_LE(found.rows, kLongestLine);
+    ASSERT_LE(found.columns, kLongLine);
+    ASSERT_LE(found.rows, kLongLine);
     ASSERT_EQ(found.columns % 32, 16u) << "a stride near a power of two shares cache sets";
   }
 }
@@ -68,10 +68,20 @@ TEST(ChooseDimensions, MakesRowsSoHighThatTheirEndsCostAsMuchAsTheirMiddles) {
   EXPECT_EQ(chooseDimensions(4161536, kFlatWorld, 4.0f).columns, 2032u);
 }
 
+TEST(ChooseDimensions, TakesLongLinesOnlyForMoreCellsThanOthersHold) {
+  for (uint32_t n : {2032u * 2048 + 1, 10000000u, 8176u * 8192}) {
+    const NDimensions found = chooseDimensions(n, kFlatWorld, 4.0f);
+    EXPECT_GE(found.cells(), n);
+    EXPECT_LE(found.columns, kLongestLine);
+    EXPECT_LE(found.rows, kLongestLine);
+    EXPECT_GT(larger(found.columns, found.rows), kLongLine);
+  }
+}
+
 TEST(ChooseDimensions, RefusesWhatDoesNotFit) {
-  for (uint32_t n : {2032u * 2048 + 1, 10000000u, 4294965264u, 4294967295u}) {
+  for (uint32_t n : {8176u * 8192 + 1, 100000000u, 4294965264u, 4294967295u}) {
     EXPECT_EQ(refusal([&] { chooseDimensions(n, kFlatWorld, 4.0f); }),
-              "An NGrid of " + std::to_string(n) + " cells is too large: at most 4161536 fit; use fewer entities.");
+              "An NGrid of " + std::to_string(n) + " cells is too large: at most 66977792 fit; use fewer entities.");
   }
   EXPECT_EQ(refusal([] {
               chooseDimensions(2147483648u, {1, 1, 1}, 1.0f);
@@ -112,12 +122,14 @@ TEST(ChooseWindowDimensions, FollowsTheWorldsAspect) {
   }
   EXPECT_EQ(chooseWindowDimensions(1, {1e-30f, 1.0f, 0.0f}).cells(), 1u);
   EXPECT_EQ(chooseWindowDimensions(5000, {1e-30f, 1.0f, 0.0f}).columns, 3u);
-  EXPECT_EQ(chooseWindowDimensions(2048 * 2048, {1e-30f, 1.0f, 0.0f}).columns, kLongestLine);
-  for (uint32_t n : {2048u * 2048 + 1, 0xFFFFFFFFu}) {
+  EXPECT_EQ(chooseWindowDimensions(2048 * 2048, {1e-30f, 1.0f, 0.0f}).columns, kLongLine);
+  EXPECT_EQ(chooseWindowDimensions(2048 * 2048 + 1, {1.0f, 1.0f, 0.0f}), (NDimensions{2048, 2049}));
+  EXPECT_EQ(chooseWindowDimensions(8192 * 8192, {1e-30f, 1.0f, 0.0f}).columns, kLongestLine);
+  for (uint32_t n : {8192u * 8192 + 1, 0xFFFFFFFFu}) {
     EXPECT_EQ(refusal([&] {
                 chooseWindowDimensions(n, {1.0f, 1.0f, 0.0f});
               }),
-              "An NGrid of " + std::to_string(n) + " cells is too large: at most 4194304 fit; use fewer entities.");
+              "An NGrid of " + std::to_string(n) + " cells is too large: at most 67108864 fit; use fewer entities.");
   }
 }
 
@@ -127,16 +139,16 @@ TEST(NGridShape, RefusesWhatIsNoGrid) {
   for (NDimensions bad : {NDimensions{0, 5},
                           {5, 0},
                           {5, 5, 0},
-                          {2049, 1},
-                          {1, 2049},
-                          {1, 1, 2049},
+                          {8193, 1},
+                          {1, 8193},
+                          {1, 1, 8193},
                           {kMost, 1},
                           {1, kMost},
                           {kMost, kMost},
                           {65536, 65536},
                           {2048, 2048, 512}}) {
     EXPECT_EQ(refusal([&] { NGrid<Cell3>(queue, bad); }),
-              "An NGrid has 1 to 2048 columns, rows and slabs, and fewer than 2147483648 cells; it was asked for " +
+              "An NGrid has 1 to 8192 columns, rows and slabs, and fewer than 2147483648 cells; it was asked for " +
                   std::to_string(bad.columns) + " x " + std::to_string(bad.rows) + " x " + std::to_string(bad.slabs) +
                   ".");
   }

@@ -53,6 +53,16 @@ TYPED_TEST(NGridUpkeep, ArrangesEveryLayoutAsItsOracle) {
   }
 }
 
+TYPED_TEST(NGridUpkeep, ArrangesLinesAsLongAsThereAre) {
+  for (const GridShape& shape : {GridShape{8192, 2}, {2, 8192}, {1, 2, 4100}}) {
+    if (In<TypeParam>::flat && shape.slabs > 1) continue;
+    const auto cells = In<TypeParam>::cells({Layout::uniform, shape, 15, 3});
+    for (Upkeep upkeep : {Upkeep::maintain, Upkeep::pack}) {
+      EXPECT_EQ(check(shape, cells, upkeep), "") << shape.columns << ", upkeep " << uint32_t(upkeep);
+    }
+  }
+}
+
 TYPED_TEST(NGridUpkeep, FollowsMotionBirthsAndDeaths) {
   const GridShape shape = In<TypeParam>::flat ? GridShape{112, 23} : GridShape{28, 10, 9};
   auto cells = In<TypeParam>::cells({Layout::uniform, shape, 30, 77});

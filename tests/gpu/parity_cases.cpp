@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 
 #include "tests/gpu/random_cells.h"
 
@@ -71,19 +72,40 @@ std::vector<float> firsts(const std::vector<Float2>& pairs) {
   return values;
 }
 
+// Lengths around those at which other teams take over; ties along one axis, along all, and with the dead of whom only x
+// is at +infinity.
 Words lineSorts(const Probes& device, const ExecOptions& options) {
   Words words;
-  for (uint32_t length : {1u, 2u, 3u, 127u, 128u, 129u, 1000u, 2047u, 2048u}) {
-    for (Layout layout : {Layout::uniform, Layout::coincident, Layout::zeros}) {
+  for (uint32_t length : {1u,    2u,    3u,    4u,    5u,    127u,  128u,  129u,  511u,  512u,  513u,
+                          1000u, 1024u, 1025u, 2047u, 2048u, 2049u, 4095u, 4096u, 4097u, 8191u, 8192u}) {
+    for (Layout layout : {Layout::uniform, Layout::coincident, Layout::zeros, Layout::line}) {
       auto line = makeCells({layout, {length, 1}, 20, length});
+      for (uint32_t i = 0; i < length; i += 7) line[i].x = std::numeric_limits<float>::infinity();
       append(words, device.sortLineByX(options, line));
       append(words, device.sortLineByY(options, line));
+      append(words, device.sortLineByZ(options, makeCells3({layout, {length, 1}, 20, length})));
     }
   }
   return words;
 }
 
 constexpr GridShape kShapes[] = {{1, 1}, {1, 37}, {37, 1}, {16, 16}, {48, 13}, {208, 41}, {2048, 3}, {5, 2048}};
+
+// Lines as long as there are, and in three dimensions many short ones.
+constexpr GridShape kLongShapes[] = {{2049, 2}, {8192, 2}, {3, 8191}, {2, 1, 4100}, {5, 3, 90}};
+
+Words longLines(const Probes& device, const ExecOptions& options, Upkeep upkeep) {
+  Words words;
+  for (const GridShape& shape : kLongShapes) {
+    for (Layout layout : {Layout::uniform, Layout::coincident}) {
+      const CellSpec spec{layout, shape, 10, shape.cells()};
+      const Words after = shape.slabs == 1 ? wordsOf(device.upkeep(options, shape, makeCells(spec), upkeep))
+                                           : wordsOf(device.upkeep3(options, shape, makeCells3(spec), upkeep));
+      words.insert(words.end(), after.begin(), after.end());
+    }
+  }
+  return words;
+}
 
 Words upkeepOf3(const Probes& device, const ExecOptions& options, Upkeep upkeep) {
   Words words;
@@ -277,6 +299,11 @@ std::vector<ParityCase> makeCases() {
       [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::transpose); });
   add("Pack3", [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::pack); });
   add("Repack3", [](const Probes& device, Options options) { return upkeepOf3(device, options, Upkeep::repack); });
+  add("LongLines", [](const Probes& device, Options options) { return longLines(device, options, Upkeep::maintain); });
+  add("LongLinesTransposed",
+      [](const Probes& device, Options options) { return longLines(device, options, Upkeep::transpose); });
+  add("LongLinesPacked",
+      [](const Probes& device, Options options) { return longLines(device, options, Upkeep::pack); });
   add("Reports", reports);
   add("RowGather", [](const Probes& device, Options options) { return gathers(device, options, Method::rows); });
   add("PackedRows", [](const Probes& device, Options options) { return gathers(device, options, Method::packedRows); });

@@ -1,29 +1,39 @@
-#include "gpu/line_sort.h"
+#include "gpu/line_order.h"
 #include "gpu/ngrid.h"
+#include "gpu/ngrid_lines.h"
 #include "tests/gpu/probe_parts.h"
+
+#if GW_ON_CUDA
+#include "gpu/block_lines.h"
+#else
+#include "gpu/line_sort.h"
+#endif
 
 namespace gw::GW_DEVICE {
 namespace {
 
 // One team in all: sorts one line.
-template <class CellT, class Less>
+template <class CellT, class Less, class LineTeamT>
 struct SortOneLine {
-  static constexpr uint32_t kLanes = 128;
-  struct Shared {
-    CellT line[kLongestLine];
-  };
+  static constexpr uint32_t kLanes = LineTeamT::kLanes;
+#if GW_ON_CUDA
+  using Shared = typename BlockLines<CellT, LineTeamT>::Shared;
+#else
+  struct Shared {};
+#endif
   CellT* cells;
   uint32_t length;
 
   template <class Team>
-  GW_BODY void operator()(const Team& team, Shared& s) const {
-    team.phase([&](uint32_t lane) {
-      for (uint32_t i = lane; i < length; i += kLanes) s.line[i] = cells[i];
-    });
-    sortLine<kLanes>(team, s.line, length, Less{});
-    team.phase([&](uint32_t lane) {
-      for (uint32_t i = lane; i < length; i += kLanes) cells[i] = s.line[i];
-    });
+  GW_BODY void operator()(const Team&, [[maybe_unused]] Shared& s) const {
+#if GW_ON_CUDA
+    const bool mine = BlockLines<CellT, LineTeamT>::lineOf(length) == 0;
+    BlockLines<CellT, LineTeamT> line(s, cells, mine ? length : 0, 1, length);
+    line.sort(Less{});
+    line.forEach([&](uint32_t i, const CellT& cell) { cells[i] = cell; });
+#else
+    sortLine(cells, length, Less{});
+#endif
   }
 };
 
@@ -31,7 +41,10 @@ template <class CellT, class Less>
 std::vector<CellT> sortOneLine(const ExecOptions& options, const std::vector<CellT>& line) {
   Queue queue(options);
   auto cells = uploaded(queue, line);
-  forEachTeam(queue, 1, SortOneLine<CellT, Less>{cells.data(), uint32_t(line.size())});
+  const uint32_t length = uint32_t(line.size());
+  withTeamFor(length, [&](auto team) {
+    forEachTeam(queue, 1, SortOneLine<CellT, Less, decltype(team)>{cells.data(), length});
+  });
   auto result = cells.download();
   return result;
 }

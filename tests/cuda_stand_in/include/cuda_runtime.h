@@ -29,6 +29,7 @@ namespace gw::stand_in {
 cudaError_t launch(const cudaLaunchConfig_t& config, const void* kernel, std::function<void()> thread);
 
 void syncBlock();
+bool syncBlockOr(bool vote);
 void syncWarp(unsigned mask);
 // Puts down a word for the other lanes of the warp, waits for those in the mask, and shows what they put down.
 const uint64_t* exchange(unsigned mask, uint64_t word);
@@ -63,6 +64,9 @@ cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t* config, void (*kernel)(
 
 inline void __syncthreads() {
   gw::stand_in::syncBlock();
+}
+inline int __syncthreads_or(int predicate) {
+  return gw::stand_in::syncBlockOr(predicate != 0);
 }
 inline void __syncwarp(unsigned mask = 0xFFFFFFFFu) {
   gw::stand_in::syncWarp(mask);
