@@ -156,6 +156,9 @@ class VerbParser {
           options_.blockSize = uint32_t(v);
         },
         kDiagnostics);
+    values_.flag(
+        "--cuda-check", "the cuda device waits for every launch and says which one failed; slow",
+        [&] { options_.cudaCheck = true; }, kDiagnostics);
     values_.path(
         "--assets", "folder of shaders and rule tables", "DIR", [&](std::string v) { options_.assetsDir = v; },
         kDiagnostics);
@@ -275,6 +278,9 @@ class VerbParser {
     }
     if (o.device == DeviceOption::cpu && o.blockSize != Options().blockSize) {
       refuse("'--block-size' is about the cuda device; leave it out or choose '--device cuda'");
+    }
+    if (o.device == DeviceOption::cpu && o.cudaCheck) {
+      refuse("'--cuda-check' is about the cuda device; leave it out or choose '--device cuda'");
     }
     if (o.device == DeviceOption::cuda && (o.order != VisitOrder::forward || o.protectMemory)) {
       refuse("'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'");

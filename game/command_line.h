@@ -38,6 +38,7 @@ struct Options {
   BroadPhase broadPhase = BroadPhase::ngrid;
   VisitOrder order = VisitOrder::forward;
   bool protectMemory = false;
+  bool cudaCheck = false;
   uint32_t blockSize = 128;  // cuda device
 
   // The run (play).

@@ -73,6 +73,7 @@ void setComputing(SimulationConfig& config, const Options& options) {
   config.order = options.order;
   config.protectMemory = options.protectMemory;
   config.blockSize = options.blockSize;
+  config.checkLaunches |= options.cudaCheck;
 }
 
 void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file) {

@@ -7,9 +7,9 @@
 
 namespace gw::GW_DEVICE {
 
-// The longest row, column or pole. A block of 1,024 lanes holds the keys of so many cells in its registers, eight a
-// lane (block_lines.h); a key has 13 bits for the column; and the index of x has 16 bits for one.
-inline constexpr uint32_t kLongestLine = 8192;
+// The longest row, column or pole. A block of 1,024 lanes holds so many cells in its registers, four a lane
+// (block_lines.h): with eight, kernels spill. The cpu device keeps to it too, so that both can hold the same grids.
+inline constexpr uint32_t kLongestLine = 4096;
 
 // The longest that is chosen while lines of this length can hold all cells: beyond, a block is as large as blocks get,
 // so few run at a time. The dimensions of recorded games depend on it.
@@ -24,7 +24,7 @@ struct NDimensions {
 };
 
 // All of these throw std::invalid_argument, and say which argument and the limit, when n is 0 or more cells than lines
-// of kLongestLine (by chooseDimensions(), rows of 8,176) can hold, or a length is not as described.
+// of kLongestLine (by chooseDimensions(), rows of 4,080) can hold, or a length is not as described.
 
 // For exact gathers of `radius` (m, finite, above 0) among n entities spread over a box of `size` (m, finite, above 0;
 // a z of 0 makes it 2D): the rows and slabs for which a cost model expects the fastest search. What a search pays is

@@ -49,7 +49,7 @@ template <uint32_t kCells>
 struct LineTeam {
   static constexpr uint32_t kCapacity = kCells;
 #if GW_ON_CUDA
-  static constexpr uint32_t kEach = kCells > 4096 ? 8 : 4, kLanes = kCells / kEach;
+  static constexpr uint32_t kEach = 4, kLanes = kCells / kEach;
 #else
   static constexpr uint32_t kEach = kCells, kLanes = 1;  // one lane walks along its lines
 #endif

@@ -1,16 +1,17 @@
-// Small records that cross between host and device once per tick, several ticks deep. Each slot has a host side, which
-// on cuda is pinned memory, and a device side; the copies between them are launches like any other, and can be
-// captured.
+// Small records that cross between host and device once per tick, several ticks deep. The host has a slot for each tick
+// in flight, on cuda in pinned memory; the device has one record, since its ticks run one after the other. The copies
+// between them are work of the queue like any other, and can be captured.
 //
-//   slot           0     1     2     3         the host writes a slot of what goes to the device before it queues its
-//   host side    [   ] [   ] [   ] [   ]       tick, and reads one of what comes back after a fence behind the copy:
-//   device side  [   ] [   ] [   ] [   ]       until then neither side touches the other's.
+//   host     [   ] [   ] [   ] [   ]     Of what goes to the device the host writes a slot before it queues its tick;
+//   of
+//                  \   |   /             what comes back it reads one after a fence behind the copy. Until then neither
+//   device           [   ]               side touches the other's.
 #pragma once
 
 #include <new>
 #include <type_traits>
 
-#include "gpu/buffer.h"
+#include "gpu/exec.h"
 
 namespace gw::GW_DEVICE {
 
@@ -20,7 +21,7 @@ class RecordRing {
 
  public:
   RecordRing(Queue& queue, uint32_t slots)
-      : queue_(queue), device_(queue, slots), host_(static_cast<T*>(allocateHostBytes(queue, slots * sizeof(T)))) {
+      : queue_(queue), host_(static_cast<T*>(allocateHostBytes(queue, slots * sizeof(T)))) {
     for (uint32_t s = 0; s < slots; ++s) new (host_ + s) T;
   }
   ~RecordRing() { releaseHostBytes(queue_, host_); }
@@ -28,13 +29,13 @@ class RecordRing {
   RecordRing& operator=(const RecordRing&) = delete;
 
   T& host(uint32_t slot) { return host_[slot]; }
-  T* device() const { return device_.data(); }  // [slots]
-  void toDevice(uint32_t slot) { enqueueCopy(queue_, device_.data() + slot, host_ + slot, sizeof(T), Copy::toDevice); }
-  void toHost(uint32_t slot) { enqueueCopy(queue_, host_ + slot, device_.data() + slot, sizeof(T), Copy::toHost); }
+  void toDevice(uint32_t slot, T* d_record) { enqueueCopy(queue_, d_record, host_ + slot, sizeof(T), Copy::toDevice); }
+  void toHost(uint32_t slot, const T* d_record) {
+    enqueueCopy(queue_, host_ + slot, d_record, sizeof(T), Copy::toHost);
+  }
 
  private:
   Queue& queue_;
-  Buffer<T> device_;
   T* host_;
 };
 

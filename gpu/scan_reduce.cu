@@ -3,6 +3,12 @@
 namespace gw::GW_DEVICE {
 namespace {
 
+// The word of item i of an array.
+struct WordAt {
+  const uint64_t* words;
+  GW_BODY uint64_t operator()(uint32_t i) const { return words[i]; }
+};
+
 // One team in all: turns the blocks' sums into what stands before each block, and their total.
 struct ScanBlockSums {
   static constexpr uint32_t kLanes = 256;
@@ -42,6 +48,10 @@ Scan::Scan(Queue& queue, uint32_t count)
 
 ScanView Scan::view() const {
   return {within_.data(), beforeBlock_.data(), scanBlocks(count_)};
+}
+
+void Scan::run(Queue& queue, const uint64_t* d_in) {
+  run(queue, WordAt{d_in});
 }
 
 void Scan::sumBlocks(Queue& queue) {

@@ -22,12 +22,6 @@ struct ScanView {
   GW_MEMBER uint64_t total() const { return before_block[blocks]; }
 };
 
-// The word of item i of an array.
-struct WordAt {
-  const uint64_t* words;
-  GW_BODY uint64_t operator()(uint32_t i) const { return words[i]; }
-};
-
 class Scan {
  public:
   Scan() = default;
@@ -38,13 +32,13 @@ class Scan {
 
   // Of source(0) ... source(count - 1), each asked for once; leaves the result behind view(). Two launches, O(count).
   template <class Source>
-    requires(!std::is_pointer_v<Source>)
-  void run(Queue& queue, const Source& source) {
+  requires(!std::is_pointer_v<Source>) void run(Queue& queue, const Source& source) {
     forEachTeam(queue, scanBlocks(count_),
                 ScanWithinBlocks<Source>{within_.data(), beforeBlock_.data(), source, count_});
     sumBlocks(queue);
   }
-  void run(Queue& queue, const uint64_t* d_in) { run(queue, WordAt{d_in}); }
+  // Of in[0] ... in[count - 1].
+  void run(Queue& queue, const uint64_t* d_in);
 
  private:
   void sumBlocks(Queue& queue);

@@ -1,4 +1,4 @@
-// Autopilot: takes the host's input record for this tick, or puts a bot's in its place, which is then what
+// Autopilot: leaves the host's input record for this tick, or puts a bot's in its place, which is then what
 // gets recorded. Bots see what a player sees: no states, only what is within the view, and late: a place is
 // taken back along its velocity by the bot's reaction time.
 #include "game/sim/stages.h"
@@ -10,13 +10,6 @@ namespace {
 
 constexpr uint32_t kTenOfThem = 3;  // index into kPracticeCounts
 constexpr float kView_x_m = 36.0f, kView_y_m = 20.0f;
-
-struct TakeInput {
-  View v;
-  GW_BODY void operator()(uint32_t) const {
-    v.scratch->input = v.inputs[v.scratch->sequence % Simulation::kTicksInFlight];
-  }
-};
 
 // A body as a bot sees it, relative to the ship.
 struct Seen {
@@ -251,7 +244,7 @@ struct Expert : Bot<Search> {
 
 void autopilot(Queue& queue, const View& view, Autopilot who) {
   const Count one{1};
-  if (who == Autopilot::none) return forEach(queue, one, TakeInput{view});
+  if (who == Autopilot::none) return;
   withSearchFromAnywhere(view.seen, [&](auto search) {  // the ship stands in no cell
     using Search = decltype(search);
     if (who == Autopilot::novice) {

@@ -119,8 +119,7 @@ struct Report {
     report.edges = s.tally.edges;
     sounds(report, fresh, s);
     pops(report, m, s);
-    v.reports[s.sequence % Simulation::kTicksInFlight] = report;
-    ++s.sequence;
+    *v.report = report;
   }
 
  private:

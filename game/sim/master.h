@@ -91,10 +91,9 @@ struct Command {
 };
 inline constexpr uint32_t kMaxCommands = 64;
 
-// What one tick's stages tell each other and the report. Only the sequence outlives the tick.
+// What one tick's stages tell each other and the report. Nothing of it outlives the tick.
 struct TickScratch {
-  uint32_t sequence = 0;  // ticks launched, those after the end included: which slot of the rings is used
-  InputRecord input{};
+  InputRecord input{};  // the host's, or a bot's in its place
   uint32_t commandCount = 0;
   uint32_t births = 0;   // of all commands
   uint32_t bitRoom = 0;  // bits that still fit

@@ -9,6 +9,7 @@
 #include "game/sim/simulation.h"
 #include "game/sim/snapshot.h"
 #include "game/sim/step.h"
+#include "gpu/record_ring.h"
 #include "gpu/tick_graph.h"
 
 namespace gw::GW_DEVICE {
@@ -35,6 +36,8 @@ class DeviceSimulation final : public Simulation {
         queue_({config.threads, config.order, config.protectMemory, config.blockSize, config.checkLaunches}),
         deviceName_(nameOf(queue_)),
         state_(queue_, config),
+        inputs_(queue_, kTicksInFlight),
+        reports_(queue_, kTicksInFlight),
         drawList_(queue_, state_.limits().capacity),
         candidates_(queue_, state_.limits().capacity) {
     if (config_.particles) {
@@ -50,7 +53,7 @@ class DeviceSimulation final : public Simulation {
       throw std::logic_error("Too many ticks are queued: read a report first.");
     }
     const uint32_t slot = launched_ % kTicksInFlight;
-    state_.inputs.host(slot) = input;  // its last reader's report has been read
+    inputs_.host(slot) = input;  // its last reader's report has been read
     const bool sortInFull = rowsWidened_ > kWorthRebuilding && frozenRows();
     Captured& captured = (timer_.enabled() ? timed_ : plain_)[sortInFull][slot];
     captured.graph.replay(queue_);
@@ -67,7 +70,7 @@ class DeviceSimulation final : public Simulation {
     if (read_ == launched_) throw std::logic_error("No tick is queued: there is nothing to report.");
     const uint32_t slot = read_ % kTicksInFlight;
     fences_[slot].wait();
-    const TickReport report = state_.reports.host(slot);
+    const TickReport report = reports_.host(slot);
     timer_.collect(*marks_[slot]);
     ++read_;
     if (read_ > sorted_) rowsWidened_ = report.rowsWidened;  // earlier ones are from before the last full sort
@@ -170,10 +173,11 @@ class DeviceSimulation final : public Simulation {
 
   void runTick(uint32_t slot, bool sortInFull) {
     const uint64_t before = queue_.launches;
-    state_.inputs.toDevice(slot);
+    TickScratch* d_scratch = state_.scratch.data();
+    inputs_.toDevice(slot, &d_scratch->input);
     state_.neighbourhood().sortInFull(sortInFull);
     step(queue_, state_, slot % 2, config_.autopilot, timer_, config_.particles ? &particles_ : nullptr);
-    state_.reports.toHost(slot);
+    reports_.toHost(slot, state_.report.data());
     launchesPerTick_ = uint32_t(queue_.launches - before);
   }
 
@@ -186,6 +190,8 @@ class DeviceSimulation final : public Simulation {
   Queue queue_;
   std::string deviceName_;
   GameState state_;
+  RecordRing<InputRecord> inputs_;
+  RecordRing<TickReport> reports_;
   StageTimer timer_;
   DrawList drawList_;
   Particles particles_;

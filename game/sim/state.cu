@@ -27,15 +27,13 @@ Limits limitsOf(const SimulationConfig& config) {
 }  // namespace
 
 GameState::GameState(Queue& queue, const SimulationConfig& config)
-    : inputs(queue, Simulation::kTicksInFlight),
-      reports(queue, Simulation::kTicksInFlight),
-      limits_(limitsOf(config)),
-      neighbourhood_(queue, config, limits_.width_m, limits_.height_m) {
+    : limits_(limitsOf(config)), neighbourhood_(queue, config, limits_.width_m, limits_.height_m) {
   const uint32_t n = limits_.capacity;
   birthScan_ = Scan(queue, n);
   tables = Buffer<Tables>(queue, 1);
   master = Buffer<Master>(queue, 1);
   scratch = Buffer<TickScratch>(queue, 1);
+  report = Buffer<TickReport>(queue, 1);
   cellOf = Buffer<uint32_t>(queue, n);
   velocityPrevious = Buffer<Float4>(queue, n);
   state = Buffer<Uint4>(queue, n);
@@ -93,8 +91,7 @@ View GameState::view(uint32_t parity) const {
   v.tables = tables.data();
   v.master = master.data();
   v.scratch = scratch.data();
-  v.inputs = inputs.device();
-  v.reports = reports.device();
+  v.report = report.data();
   v.cells = cells[front].data();
   v.moved = cells[back].data();
   v.cellOf = cellOf.data();

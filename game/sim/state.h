@@ -10,7 +10,6 @@
 #include "game/sim/master.h"
 #include "game/sim/simulation.h"
 #include "game/sim/state_tables.h"
-#include "gpu/record_ring.h"
 #include "gpu/scan_reduce.h"
 
 namespace gw::GW_DEVICE {
@@ -27,8 +26,7 @@ struct View {
   const Tables* tables;
   Master* master;
   TickScratch* scratch;
-  InputRecord* inputs;  // ring of kTicksInFlight, by tick
-  TickReport* reports;  // ring of kTicksInFlight, by tick
+  TickReport* report;
 
   Cell *cells, *moved;
   uint32_t* cellOf;  // [id]
@@ -97,8 +95,7 @@ class GameState {
   Buffer<Tables> tables;
   Buffer<Master> master;
   Buffer<TickScratch> scratch;
-  RecordRing<InputRecord> inputs;
-  RecordRing<TickReport> reports;
+  Buffer<TickReport> report;
   Buffer<Cell> cells[2];
   Buffer<uint32_t> cellOf;
   Buffer<Float4> forceEnergy[2], directionMass[2], velocityPrevious;

@@ -5,3 +5,4 @@ target_compile_definitions(fault_test PRIVATE GW_ASSETS_DIR="${PROJECT_SOURCE_DI
   GW_FAULT_TABLE="${CMAKE_CURRENT_BINARY_DIR}/cuda_faults.md" GW_FAULT_DOCS="${PROJECT_SOURCE_DIR}/docs/cuda-faults.md")
 target_link_libraries(fault_test PRIVATE gw_program GTest::gtest_main)
 add_test(NAME fault_test COMMAND fault_test)
+set_tests_properties(fault_test PROPERTIES LABELS cuda)

@@ -70,6 +70,8 @@ TEST(CommandLine, PlayIsTheVerbWhenNoneIsNamed) {
 }
 
 TEST(CommandLine, BlocksAreWholeWarps) {
+  EXPECT_FALSE(accepted("").cudaCheck);
+  EXPECT_TRUE(accepted("--headless --ticks 1 --cuda-check").cudaCheck);
   EXPECT_EQ(accepted("").blockSize, 128u);
   for (const uint32_t size : {32u, 64u, 256u, 1024u}) {
     EXPECT_EQ(accepted("verify a --block-size " + std::to_string(size)).blockSize, size);
@@ -242,6 +244,7 @@ const Refusal kRefusals[] = {
     {"--block-size 31", "'--block-size 31' does not work; give a whole number from 32 to 1,024"},
     {"--block-size 1056", "'--block-size 1056' does not work; give a whole number from 32 to 1,024"},
     {"verify a --block-size 100", "'--block-size 100' does not work; give a multiple of 32 from 32 to 1024"},
+    {"--device cpu --cuda-check", "'--cuda-check' is about the cuda device; leave it out or choose '--device cuda'"},
     {"--device cpu --block-size 64", "'--block-size' is about the cuda device; leave it out or choose '--device cuda'"},
     {"--device cuda --order reversed",
      "'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'"},

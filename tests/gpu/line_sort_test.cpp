@@ -31,7 +31,7 @@ void expectSorted(std::vector<Cell> line) {
 }
 
 TEST(LineSort, SortsEveryLengthAndLayout) {
-  for (uint32_t length : {1u, 2u, 3u, 5u, 64u, 100u, 1023u, 1024u, 2047u, 2048u, 2049u, 4096u, 4097u, 8192u}) {
+  for (uint32_t length : {1u, 2u, 3u, 5u, 64u, 100u, 1023u, 1024u, 2047u, 2048u, 2049u, 4095u, 4096u}) {
     for (uint32_t layout = 0; layout < kLayouts; ++layout) {
       SCOPED_TRACE(length);
       expectSorted(makeCells({Layout(layout), {length, 1}, layout % 3 * 20, length + layout}));

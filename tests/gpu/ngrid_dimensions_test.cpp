@@ -69,7 +69,7 @@ TEST(ChooseDimensions, MakesRowsSoHighThatTheirEndsCostAsMuchAsTheirMiddles) {
 }
 
 TEST(ChooseDimensions, TakesLongLinesOnlyForMoreCellsThanOthersHold) {
-  for (uint32_t n : {2032u * 2048 + 1, 10000000u, 8176u * 8192}) {
+  for (uint32_t n : {2032u * 2048 + 1, 10000000u, 4080u * 4096}) {
     const NDimensions found = chooseDimensions(n, kFlatWorld, 4.0f);
     EXPECT_GE(found.cells(), n);
     EXPECT_LE(found.columns, kLongestLine);
@@ -79,7 +79,7 @@ TEST(ChooseDimensions, TakesLongLinesOnlyForMoreCellsThanOthersHold) {
 }
 
 TEST(ChooseDimensions, RefusesWhatDoesNotFit) {
-  for (uint32_t n : {8176u * 8192 + 1, 100000000u, 4294965264u, 4294967295u}) {
+  for (uint32_t n : {4080u * 4096 + 1, 100000000u, 4294965264u, 4294967295u}) {
     EXPECT_EQ(refusal([&] { chooseDimensions(n, kFlatWorld, 4.0f); }),
               "An NGrid of " + std::to_string(n) + " cells is too large: at most 66977792 fit; use fewer entities.");
   }
@@ -124,8 +124,8 @@ TEST(ChooseWindowDimensions, FollowsTheWorldsAspect) {
   EXPECT_EQ(chooseWindowDimensions(5000, {1e-30f, 1.0f, 0.0f}).columns, 3u);
   EXPECT_EQ(chooseWindowDimensions(2048 * 2048, {1e-30f, 1.0f, 0.0f}).columns, kLongLine);
   EXPECT_EQ(chooseWindowDimensions(2048 * 2048 + 1, {1.0f, 1.0f, 0.0f}), (NDimensions{2048, 2049}));
-  EXPECT_EQ(chooseWindowDimensions(8192 * 8192, {1e-30f, 1.0f, 0.0f}).columns, kLongestLine);
-  for (uint32_t n : {8192u * 8192 + 1, 0xFFFFFFFFu}) {
+  EXPECT_EQ(chooseWindowDimensions(4096 * 4096, {1e-30f, 1.0f, 0.0f}).columns, kLongestLine);
+  for (uint32_t n : {4096u * 4096 + 1, 0xFFFFFFFFu}) {
     EXPECT_EQ(refusal([&] {
                 chooseWindowDimensions(n, {1.0f, 1.0f, 0.0f});
               }),
@@ -148,7 +148,7 @@ TEST(NGridShape, RefusesWhatIsNoGrid) {
                           {65536, 65536},
                           {2048, 2048, 512}}) {
     EXPECT_EQ(refusal([&] { NGrid<Cell3>(queue, bad); }),
-              "An NGrid has 1 to 8192 columns, rows and slabs, and fewer than 2147483648 cells; it was asked for " +
+              "An NGrid has 1 to 4096 columns, rows and slabs, and fewer than 2147483648 cells; it was asked for " +
                   std::to_string(bad.columns) + " x " + std::to_string(bad.rows) + " x " + std::to_string(bad.slabs) +
                   ".");
   }

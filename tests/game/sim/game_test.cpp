@@ -227,6 +227,20 @@ TEST(game, starts_again_the_same_and_seeds_differ) {
   for (uint32_t t = 0; t < 300; ++t) ASSERT_NE(first[t], other[t]) << t;
 }
 
+TEST(game, a_tick_is_as_few_launches_as_the_docs_say) {
+  SimulationConfig config = stageConfig();
+  config.protectMemory = false;
+  for (const auto& [autopilot, particles, launches] :
+       {std::tuple{Autopilot::none, false, 16u}, {Autopilot::expert, false, 17u}, {Autopilot::none, true, 19u}}) {
+    config.autopilot = autopilot;
+    config.particles = particles;
+    const auto simulation = cpu::makeSimulation(config);
+    simulation->tick({});
+    simulation->report();
+    EXPECT_EQ(simulation->launchesPerTick(), launches);
+  }
+}
+
 TEST(game, instant_restart_in_the_same_simulation_gives_the_same_hashes) {
   SimulationConfig config = stageConfig();
   config.autopilot = Autopilot::novice;

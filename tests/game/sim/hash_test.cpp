@@ -24,11 +24,8 @@ class hash : public ::testing::Test {
     on.begin(of);
     // As integrate would leave those who do not move.
     on.state().cells[1].upload(on.state().cells[0].download());
-    const uint32_t slot = on.scratch().sequence % Simulation::kTicksInFlight;
     cpu::hash(on.queue(), on.view());
-    on.state().reports.toHost(slot);
-    const TickReport report = on.state().reports.host(slot);
-    return report;
+    return on.state().report.download()[0];
   }
 };
 
@@ -110,10 +107,8 @@ TEST_F(hash, neither_the_arrangement_nor_the_order_of_visits_is_felt) {
   std::vector<Cell> byId(cells.size());
   for (const Cell& cell : cells) byId[cell.id] = cell;
   fixture.state().cells[1].upload(byId);
-  const uint32_t slot = fixture.scratch().sequence % Simulation::kTicksInFlight;
   cpu::hash(fixture.queue(), fixture.view());
-  fixture.state().reports.toHost(slot);
-  const TickReport report = fixture.state().reports.host(slot);
+  const TickReport report = fixture.state().report.download()[0];
   EXPECT_EQ(report.hash, wanted);
 }
 

@@ -87,7 +87,6 @@ void StageFixture::put(const naive::World& world) {
 void StageFixture::begin(const naive::World& world) {
   put(world);
   TickScratch fresh;  // as logic leaves it when it orders nothing
-  fresh.sequence = scratch().sequence;
   setScratch(fresh);
   cpu::maintain(queue_, view_, state_.neighbourhood());
   state_.forceEnergy[1].upload(state_.forceEnergy[0].download());
