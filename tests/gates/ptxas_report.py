@@ -15,7 +15,7 @@ import kernel_ptx
 import ptxas
 
 PLACE = "bench/results/ptxas.md"
-REMEDY = "run tests/gates/ptxas_report.py --write"
+REMEDY = "run python3 tests/gates/ptxas_report.py --write"
 COLUMNS = [field.name.replace("_", " ") for field in dataclasses.fields(ptxas.Usage)]
 
 
