@@ -10,7 +10,11 @@
 namespace gw::test {
 namespace {
 
+#ifdef GW_CUDA_STAND_IN
+constexpr uint32_t kTicks = 120;  // fibers take their time
+#else
 constexpr uint32_t kTicks = 300;
+#endif
 
 SimulationConfig configOf(Mode mode) {
   SimulationConfig config;
