@@ -2,6 +2,11 @@
 #pragma once
 
 #include <cuda_runtime.h>
+#include <cxxabi.h>
+
+#include <cstdlib>
+#include <string>
+#include <typeinfo>
 
 #include "gpu/cuda_check.h"
 #include "gpu/exec_options.h"
@@ -36,9 +41,19 @@ class Queue {
   uint64_t pending = 0;   // kernels that were to run since the queue was waited for; those of a graph at each replay
 };
 
+// As a person reads it: "gw::cuda::(anonymous namespace)::Integrate".
+template <class Kernel>
+std::string nameOfKernel() {
+  int status = 0;
+  char* text = abi::__cxa_demangle(typeid(Kernel).name(), nullptr, nullptr, &status);
+  const std::string name = status == 0 ? text : typeid(Kernel).name();
+  std::free(text);
+  return name;
+}
+
 // Launch errors show at once; what fails while running shows at the next synchronisation, which is here when the queue
-// checks launches. Such a queue is never captured (TickGraph).
-template <class... Parameters, class... Arguments>
+// checks launches: then it is known whose failure it is. Such a queue is never captured (TickGraph).
+template <class Kernel, class... Parameters, class... Arguments>
 void launch(Queue& queue, uint32_t blocks, uint32_t threads, size_t shared_bytes, void (*kernel)(Parameters...),
             const Arguments&... arguments) {
   cudaLaunchConfig_t config{};
@@ -49,7 +64,9 @@ void launch(Queue& queue, uint32_t blocks, uint32_t threads, size_t shared_bytes
   check(cudaLaunchKernelEx(&config, kernel, arguments...), "launching a kernel");
   ++queue.launches;
   ++queue.pending;
-  if (queue.checksLaunches) check(cudaStreamSynchronize(queue.stream), "running a kernel");
+  if (!queue.checksLaunches) return;
+  const cudaError_t ran = cudaStreamSynchronize(queue.stream);
+  if (ran != cudaSuccess) check(ran, ("running the kernel " + nameOfKernel<Kernel>()).c_str());
 }
 
 template <class Kernel>
@@ -63,7 +80,7 @@ template <class Kernel>
 void forEach(Queue& queue, Count count, const Kernel& kernel) {
   if (count.capacity == 0) return;
   const uint32_t block = count.capacity < queue.blockSize ? count.capacity : queue.blockSize;
-  launch(queue, (count.capacity + block - 1) / block, block, 0, forEachKernel<Kernel>, kernel, count);
+  launch<Kernel>(queue, (count.capacity + block - 1) / block, block, 0, forEachKernel<Kernel>, kernel, count);
 }
 
 template <uint32_t kLanes>
@@ -94,7 +111,7 @@ void forEachTeam(Queue& queue, uint32_t teams, const Kernel& kernel) {
     check(cudaFuncSetAttribute(forEachTeamKernel<Kernel>, cudaFuncAttributeMaxDynamicSharedMemorySize, int(kBytes)),
           "asking for shared memory");
   }
-  launch(queue, teams, Kernel::kLanes, kBytes, forEachTeamKernel<Kernel>, kernel);
+  launch<Kernel>(queue, teams, Kernel::kLanes, kBytes, forEachTeamKernel<Kernel>, kernel);
 }
 
 enum class Copy { toDevice, toHost, onDevice };

@@ -195,6 +195,40 @@ TEST(Fault, AMachineThatCannotIsToldSoAtOnce) {
   }
 }
 
+TEST(Fault, WhoChecksLaunchesIsToldWhichKernelFailed) {
+  SimulationConfig checked = config();
+  checked.checkLaunches = true;
+  stand_in::restart({});
+  {
+    const auto game = cuda::makeSimulation(checked);
+    for (uint32_t t = 0; t < 5; ++t) {
+      game->tick({});
+      EXPECT_EQ(game->report().hash, expected()[t]);
+    }
+    EXPECT_EQ(stand_in::callsByName().count("cudaGraphLaunch"), 0u);
+  }
+  const uint64_t waits = stand_in::callsByName().at("cudaStreamSynchronize");
+  std::set<std::string> named;
+  for (uint64_t wait = waits / 2; wait < waits / 2 + 40; ++wait) {
+    stand_in::restart({.fault = {"cudaStreamSynchronize", wait, cudaErrorIllegalAddress}});
+    try {
+      const auto game = cuda::makeSimulation(checked);
+      for (uint32_t t = 0; t < 5; ++t) {
+        game->tick({});
+        game->report();
+      }
+    } catch (const DeviceError& error) {
+      std::smatch kernel;
+      const std::string text = error.what();
+      if (std::regex_search(text, kernel, std::regex(R"(running the kernel gw::cuda::(?:\(anonymous namespace\)::)?(\w+))"))) {
+        named.insert(kernel[1]);
+      }
+    }
+  }
+  EXPECT_TRUE(named.count("Integrate") && named.count("MasterThread") && named.count("Think"))
+      << testing::PrintToString(named);
+}
+
 TEST(Fault, CudaAskedForByNameIsNotReplacedByAnother) {
   stand_in::Options options;
   options.fault = {"cudaMalloc", 3, cudaErrorMemoryAllocation};

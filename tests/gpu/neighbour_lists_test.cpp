@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "gpu/ngrid.h"
 #include "gpu/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
+#include "tests/gpu/refusal.h"
 #include "tests/naive/gpu_oracles.h"
 
 namespace gw::cpu {
@@ -24,6 +24,7 @@ using test::CellSpec;
 using test::In;
 using test::Layout;
 using test::Lists;
+using test::refusal;
 
 std::vector<uint32_t> near(const std::vector<Cell>& cells, const Cell& at, float radius) {
   return naive::neighbours(cells, test::Query{at.x, at.y, radius});
@@ -84,16 +85,6 @@ TEST(SortIds, SortsShortAndLong) {
     EXPECT_EQ(ids, wanted) << count;
     sortIds(ids.data(), count);
     EXPECT_EQ(ids, wanted) << count << ", sorted before";
-  }
-}
-
-template <class Error>
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-    return "not refused";
-  } catch (const Error& error) {
-    return error.what();
   }
 }
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -10,6 +9,7 @@
 #include "gpu/ngrid.h"
 #include "gpu/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
+#include "tests/gpu/refusal.h"
 #include "tests/naive/ngrid_oracles.h"
 
 namespace gw::cpu {
@@ -18,17 +18,8 @@ namespace {
 using test::GridShape;
 using test::In;
 using test::Layout;
+using test::refusal;
 using test::Upkeep;
-
-template <class Error>
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-    return "not refused";
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
 
 template <class CellT>
 class NGridReport : public testing::Test {};
