@@ -16,6 +16,8 @@
 #include "gpu/line_order.h"
 #include "gpu/ngrid_lines.h"
 
+#if GW_ON_CUDA
+
 namespace gw::GW_DEVICE {
 
 // A lane's share of a line: kEach cells, `lanes` lanes apart. All of a block make theirs, and call what they call,
@@ -191,3 +193,5 @@ class BlockLines {
 };
 
 }  // namespace gw::GW_DEVICE
+
+#endif

@@ -21,6 +21,8 @@
 
 #include "gpu/exec.h"
 
+#if GW_ON_CUDA
+
 namespace gw::GW_DEVICE {
 
 inline constexpr uint32_t kWarp = 32, kWholeWarp = 0xFFFFFFFFu;
@@ -100,3 +102,5 @@ class BlockSort {
 };
 
 }  // namespace gw::GW_DEVICE
+
+#endif

@@ -11,7 +11,7 @@ namespace gw::test {
 namespace {
 
 #ifdef GW_CUDA_STAND_IN
-constexpr uint32_t kTicks = 120;  // fibers take their time
+constexpr uint32_t kTicks = 200;  // fibers take their time
 #else
 constexpr uint32_t kTicks = 300;
 #endif

@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "e2e"))
 from program import Failures, run  # noqa: E402
 
 # gpu/exec.h takes in one of them.
-PARTS_OF_OTHERS = {"exec_cpu.h", "exec_cuda.h"}
+PARTS_OF_OTHERS = {"cuda_check.h", "exec_cpu.h", "exec_cuda.h"}
 
 USE_HEADERS = """cmake_minimum_required(VERSION 3.22)
 project(use_headers LANGUAGES CXX)
