@@ -1,10 +1,4 @@
-# gw_add_kernels(name a.cu b.cu ... [LINK libraries])
-#
-# Compiles each .cu twice: as C++ into <name>_cpu (namespace gw::cpu) and, when CUDA is on, as CUDA into
-# <name>_cuda (namespace gw::cuda). <name> links both, and defines GW_HAVE_CUDA for who links it when there are two.
-# The C++ side goes through a generated one-line .cpp, because one file cannot have two LANGUAGEs in one folder: both
-# targets silently become C++. Installed with the library: there it links gpuwars::gpu by itself.
-# With GW_CUDA_STAND_IN both are C++.
+# One-line .cpp files that each include a .cu: sources for the C++ compiler.
 function(gw_write_stubs stubs device) # a.cu ...
   set(written)
   foreach(cu IN LISTS ARGN)
@@ -17,6 +11,13 @@ function(gw_write_stubs stubs device) # a.cu ...
   set(${stubs} ${written} PARENT_SCOPE)
 endfunction()
 
+# gw_add_kernels(name a.cu b.cu ... [LINK libraries])
+#
+# Compiles each .cu twice: as C++ into <name>_cpu (namespace gw::cpu) and, when CUDA is on, as CUDA into
+# <name>_cuda (namespace gw::cuda). <name> links both, and defines GW_HAVE_CUDA for who links it when there are two.
+# The C++ side goes through a generated one-line .cpp, because one file cannot have two LANGUAGEs in one folder: both
+# targets silently become C++. Installed with the library: there it links gpuwars::gpu by itself.
+# With GW_CUDA_STAND_IN both are C++.
 function(gw_add_kernels name)
   cmake_parse_arguments(A "" "" "LINK" ${ARGN})
   gw_write_stubs(stubs cpu ${A_UNPARSED_ARGUMENTS})
