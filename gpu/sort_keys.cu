@@ -18,7 +18,8 @@ namespace gw::GW_DEVICE {
 SortKeys::SortKeys(Queue& queue, uint32_t count) : count_(count), keys_(queue, count), sorted_(queue, count) {
   cub::DoubleBuffer<uint64_t> keys(keys_.data(), sorted_.data());
   size_t bytes = 0;  // the most: by all bits
-  check(cub::DeviceRadixSort::SortKeys(nullptr, bytes, keys, int(count), 0, 64, queue.stream), "preparing to sort keys");
+  check(cub::DeviceRadixSort::SortKeys(nullptr, bytes, keys, int(count), 0, 64, queue.stream),
+        "preparing to sort keys");
   scratch_ = Buffer<unsigned char>(queue, bytes);
 }
 
@@ -28,7 +29,8 @@ void SortKeys::run(Queue& queue, uint32_t firstBit, uint32_t endBit) {
   check(cub::DeviceRadixSort::SortKeys(scratch_.data(), bytes, keys, int(count_), int(firstBit), int(endBit),
                                        queue.stream),
         "sorting keys");
-  ++queue.pending;  // at least: how many there are is CUB's own affair
+  ++queue.launches;  // at least: how many there are is CUB's own affair
+  ++queue.pending;
   if (keys.Current() != keys_.data()) std::swap(keys_, sorted_);
 }
 

@@ -39,7 +39,9 @@ class TickGraph {
     cudaGraphDestroy(graph);
     check(made, "instantiating the tick's graph");
     // Now, so that the first tick is not late.
-    check(cudaGraphUpload(graph_, queue.stream), "uploading the tick's graph");
+    const cudaError_t uploaded = cudaGraphUpload(graph_, queue.stream);
+    if (uploaded != cudaSuccess) cudaGraphExecDestroy(graph_);  // no destructor will
+    check(uploaded, "uploading the tick's graph");
   }
   ~TickGraph() {
     if (graph_) cudaGraphExecDestroy(graph_);

@@ -1,37 +1,12 @@
 #include "render/gl_renderers.h"
 
 #include <GL/glew.h>
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cstdio>
 
 #include "render/egl_session.h"
+#include "render/quiet_stderr.h"
 
 namespace gw {
 namespace {
-
-// Drivers write straight to the file descriptor, each in its own way.
-class QuietStderr {
- public:
-  QuietStderr() {
-    std::fflush(stderr);
-    kept_ = dup(STDERR_FILENO);
-    const int nowhere = open("/dev/null", O_WRONLY);
-    if (kept_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
-    if (nowhere >= 0) close(nowhere);
-  }
-  ~QuietStderr() {
-    if (kept_ < 0) return;
-    dup2(kept_, STDERR_FILENO);
-    close(kept_);
-  }
-  QuietStderr(const QuietStderr&) = delete;
-  QuietStderr& operator=(const QuietStderr&) = delete;
-
- private:
-  int kept_ = -1;
-};
 
 std::string textOf(GLenum name) {
   const GLubyte* text = glGetString(name);
@@ -41,7 +16,7 @@ std::string textOf(GLenum name) {
 }  // namespace
 
 std::vector<GlRenderer> listGlRenderers() {
-  const QuietStderr quiet;
+  const QuietStderr quiet;  // drivers write straight to the file descriptor, each in its own way
   std::vector<GlRenderer> renderers;
   int devices = 0;
   for (const EglPlatform& platform : listEglPlatforms()) {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "game/audio/quiet_stderr.h"
+#include "render/quiet_stderr.h"
 
 namespace gw {
 

@@ -57,6 +57,7 @@ class DeviceSimulation final : public Simulation {
     const bool sortInFull = rowsWidened_ > kWorthRebuilding && frozenRows();
     Captured& captured = (timer_.enabled() ? timed_ : plain_)[sortInFull][slot];
     captured.graph.replay(queue_);
+    launchesPerTick_ = captured.launches;
     fences_[slot].place(queue_);
     marks_[slot] = &captured.marks;
     ++launched_;
@@ -157,6 +158,7 @@ class DeviceSimulation final : public Simulation {
   struct Captured {
     TickGraph graph;
     StageMarks marks;
+    uint32_t launches = 0;
   };
   using CapturedTicks = std::array<std::array<Captured, kTicksInFlight>, 2>;
 
@@ -166,19 +168,21 @@ class DeviceSimulation final : public Simulation {
       for (uint32_t slot = 0; slot < kTicksInFlight; ++slot) {
         Captured& captured = ticks[sortInFull][slot];
         timer_.captureInto(captured.marks);
-        captured.graph = TickGraph(queue_, [this, slot, sortInFull] { runTick(slot, sortInFull); });
+        captured.graph =
+            TickGraph(queue_, [this, &captured, slot, sortInFull] { captured.launches = runTick(slot, sortInFull); });
       }
     }
   }
 
-  void runTick(uint32_t slot, bool sortInFull) {
+  // How many launches it took.
+  uint32_t runTick(uint32_t slot, bool sortInFull) {
     const uint64_t before = queue_.launches;
     TickScratch* d_scratch = state_.scratch.data();
     inputs_.toDevice(slot, &d_scratch->input);
     state_.neighbourhood().sortInFull(sortInFull);
     step(queue_, state_, slot % 2, config_.autopilot, timer_, config_.particles ? &particles_ : nullptr);
     reports_.toHost(slot, state_.report.data());
-    launchesPerTick_ = uint32_t(queue_.launches - before);
+    return uint32_t(queue_.launches - before);
   }
 
   // What the next tick will see: its cells are where the last tick ended.

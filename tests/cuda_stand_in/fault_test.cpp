@@ -128,6 +128,17 @@ TEST(Fault, AGameWithoutOnesRunsOnCudaAndIsTheSame) {
   }
 }
 
+TEST(Fault, ATickOfACapturedGameIsAsManyLaunchesAsOnCpu) {
+  stand_in::restart({});
+  const auto onCuda = cuda::makeSimulation(config());
+  const auto onCpu = cpu::makeSimulation(config());
+  for (Simulation* game : {onCuda.get(), onCpu.get()}) {
+    game->tick({});
+    game->report();
+  }
+  EXPECT_EQ(onCuda->launchesPerTick(), onCpu->launchesPerTick());
+}
+
 TEST(Fault, NoneEndsOrChangesTheGame) {
   std::vector<uint64_t> parts;
   playThrough({}, &parts);
@@ -220,7 +231,8 @@ TEST(Fault, WhoChecksLaunchesIsToldWhichKernelFailed) {
     } catch (const DeviceError& error) {
       std::smatch kernel;
       const std::string text = error.what();
-      if (std::regex_search(text, kernel, std::regex(R"(running the kernel gw::cuda::(?:\(anonymous namespace\)::)?(\w+))"))) {
+      if (std::regex_search(text, kernel,
+                            std::regex(R"(running the kernel gw::cuda::(?:\(anonymous namespace\)::)?(\w+))"))) {
         named.insert(kernel[1]);
       }
     }
