@@ -18,11 +18,12 @@ GW_FN uint64_t pair(uint32_t a, uint32_t b) {
 
 constexpr uint32_t kCellField = 0xCE11u;  // far above the fields of entities, whose owners are ids
 
-// One team: a run of cells, whose hashes are added up; sums of integers do not mind who adds first.
+// One team: a run of cells, whose hashes are added up field by field; sums of integers do not mind who adds first.
 struct HashEntities {
   static constexpr uint32_t kLanes = 128, kCells = 512;
+  static constexpr uint32_t kSums = kEntityHashFields + 1;  // and that of the arrangement
   struct Shared {
-    uint64_t sums[kLanes];
+    uint64_t sums[kSums][kLanes];
   };
   View v;
   bool withArrangement;
@@ -31,27 +32,27 @@ struct HashEntities {
   GW_BODY void operator()(const Team& team, Shared& s) const {
     const uint32_t begin = team.index * kCells, end = smaller(begin + kCells, v.capacity);
     team.phase([&](uint32_t lane) {
-      uint64_t sum = 0;
-      for (uint32_t i = begin + lane; i < end; i += kLanes) sum += cellHash(i);
-      s.sums[lane] = sum;
+      uint64_t sums[kSums] = {};
+      for (uint32_t i = begin + lane; i < end; i += kLanes) addCell(i, sums);
+      for (uint32_t field = 0; field < kSums; ++field) s.sums[field][lane] = sums[field];
     });
     team.phase([&](uint32_t lane) {
-      if (lane > 0) return;
+      if (lane >= kSums) return;
       uint64_t sum = 0;
-      for (const uint64_t& part : s.sums) sum += part;
-      atomicAddTo64(v.scratch->entityHash, sum);
+      for (uint32_t k = 0; k < kLanes; ++k) sum += s.sums[lane][(k + lane) % kLanes];  // no two from one bank
+      if (sum != 0) atomicAddTo64(v.scratch->fieldHashes[lane], sum);
     });
   }
 
  private:
-  GW_BODY uint64_t cellHash(uint32_t i) const {
+  GW_BODY void addCell(uint32_t i, uint64_t* sums) const {
     const Cell cell = v.moved[i];
     // The empty cells too: who is born there depends on it.
-    const uint64_t place = withArrangement ? hashWord(i, kCellField, cell.id) : 0;
-    return place + (cell.type == kTypeNone ? 0 : entityHash(cell));
+    if (withArrangement) sums[kEntityHashFields] += hashWord(i, kCellField, cell.id);
+    if (cell.type != kTypeNone) addEntity(cell, sums);
   }
 
-  GW_BODY uint64_t entityHash(const Cell& cell) const {
+  GW_BODY void addEntity(const Cell& cell, uint64_t* sums) const {
     const uint32_t id = cell.id;
     const Float4 motion = v.velocityPrevious[id], force = v.nextForceEnergy[id], direction = v.nextDirectionMass[id];
     const Uint4 state = v.state[id];
@@ -60,9 +61,8 @@ struct HashEntities {
                               pair(motion.z, motion.w),         pair(force.x, force.y), pair(force.w, direction.z),
                               pair(direction.x, direction.y),   pair(push.x, push.y),   pair(state.x, state.y),
                               pair(state.z, state.w),           uint64_t(v.target[id])};
-    uint64_t sum = 0;
-    for (uint32_t field = 0; field < sizeof words / sizeof words[0]; ++field) sum += hashWord(id, field, words[field]);
-    return sum;
+    static_assert(sizeof words / sizeof words[0] == kEntityHashFields, "in the order of HashField");
+    for (uint32_t field = 0; field < kEntityHashFields; ++field) sums[field] += hashWord(id, field, words[field]);
   }
 };
 
@@ -77,8 +77,12 @@ struct Report {
     report.tick = m.tick;
     report.over = m.over != 0;
     report.ending = Ending(m.over);
-    report.hash = s.entityHash + masterHash(m);
-    s.entityHash = 0;  // for the next tick to add up
+    for (uint32_t field = 0; field < kHashFields; ++field) {
+      const uint64_t sum = field == uint32_t(HashField::master) ? masterHash(m) : s.fieldHashes[field];
+      report.fieldHashes[field] = sum;
+      report.hash += sum;
+      s.fieldHashes[field] = 0;  // for the next tick to add up
+    }
     report.input = s.input;
     report.ship_x = m.ship.x;
     report.ship_y = m.ship.y;

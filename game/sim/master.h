@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "game/input/input_record.h"
+#include "game/sim/hash_fields.h"
 #include "game/sim/rules.h"
 #include "game/sim/state_tables.h"
 
@@ -100,7 +101,7 @@ struct TickScratch {
   Command commands[kMaxCommands];
   uint32_t shotSounds = 0, waveSounds = 0, flushSounds = 0, overSounds = 0, contactSounds = 0;
   uint32_t contactType = kTypeNone, contactCost_us = 0;
-  uint64_t entityHash = 0;
+  uint64_t fieldHashes[kHashFields] = {};
   // Made by settle, for the report only.
   uint64_t pops[3] = {};  // by side, of all scored kills the largest value << 32 | ~id; 0: none
   Tally tally;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "game/input/input_record.h"
+#include "game/sim/hash_fields.h"
 #include "game/sim/particle.h"
 #include "game/sim/rules.h"
 #include "game/sim/state_tables.h"
@@ -71,7 +72,8 @@ struct TickReport {
   uint32_t tick = 0;  // ticks completed, counting from 1
   uint32_t over = 0;  // not 0 from the tick in which the run ended
   Ending ending = Ending::none;
-  uint64_t hash = 0;    // of the whole simulated state after this tick
+  uint64_t hash = 0;  // of the whole simulated state after this tick: the sum of
+  uint64_t fieldHashes[kHashFields] = {};
   InputRecord input{};  // as used: the autopilot's own when one is on
   float ship_x = 0, ship_y = 0, shipPrevious_x = 0, shipPrevious_y = 0;
   float aim_rad = 0;
