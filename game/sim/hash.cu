@@ -1,6 +1,10 @@
 // Hash: every simulated field of every living entity and of the master, summed so that neither the NGrid's
 // arrangement nor the order of visits is felt; where the arrangement is state, who stands in which cell; then the
 // report, which is all the host gets to see.
+//
+// What is no state but must hold between ticks adds nothing to the sums as long as it does: that the dead stand at
+// +infinity, that cells and ids name each other, that the tables are those that were uploaded. So damage to them is
+// seen in the tick in which it happens, and not when something goes wrong because of it.
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
 #include "gpu/bits.h"
@@ -17,13 +21,13 @@ GW_FN uint64_t pair(uint32_t a, uint32_t b) {
 }
 
 constexpr uint32_t kCellField = 0xCE11u;  // far above the fields of entities, whose owners are ids
+constexpr uint32_t kDamageField = 0xDEADu;
 
 // One team: a run of cells, whose hashes are added up field by field; sums of integers do not mind who adds first.
 struct HashEntities {
   static constexpr uint32_t kLanes = 128, kCells = 512;
-  static constexpr uint32_t kSums = kEntityHashFields + 1;  // and that of the arrangement
   struct Shared {
-    uint64_t sums[kSums][kLanes];
+    uint64_t sums[kHashFields][kLanes];
   };
   View v;
   bool withArrangement;
@@ -32,12 +36,13 @@ struct HashEntities {
   GW_BODY void operator()(const Team& team, Shared& s) const {
     const uint32_t begin = team.index * kCells, end = smaller(begin + kCells, v.capacity);
     team.phase([&](uint32_t lane) {
-      uint64_t sums[kSums] = {};
+      uint64_t sums[kHashFields] = {};
       for (uint32_t i = begin + lane; i < end; i += kLanes) addCell(i, sums);
-      for (uint32_t field = 0; field < kSums; ++field) s.sums[field][lane] = sums[field];
+      if (team.index == 0) sums[uint32_t(HashField::master)] = partOfTables(lane);
+      for (uint32_t field = 0; field < kHashFields; ++field) s.sums[field][lane] = sums[field];
     });
     team.phase([&](uint32_t lane) {
-      if (lane >= kSums) return;
+      if (lane >= kHashFields) return;
       uint64_t sum = 0;
       for (uint32_t k = 0; k < kLanes; ++k) sum += s.sums[lane][(k + lane) % kLanes];  // no two from one bank
       if (sum != 0) atomicAddTo64(v.scratch->fieldHashes[lane], sum);
@@ -48,8 +53,22 @@ struct HashEntities {
   GW_BODY void addCell(uint32_t i, uint64_t* sums) const {
     const Cell cell = v.moved[i];
     // The empty cells too: who is born there depends on it.
-    if (withArrangement) sums[kEntityHashFields] += hashWord(i, kCellField, cell.id);
-    if (cell.type != kTypeNone) addEntity(cell, sums);
+    if (withArrangement) sums[uint32_t(HashField::arrangement)] += hashWord(i, kCellField, cell.id);
+    if (cell.id >= v.capacity || v.cellOf[cell.id] != i) {
+      sums[uint32_t(HashField::arrangement)] += hashWord(i, kDamageField, cell.id);
+      return;
+    }
+    if (cell.type != kTypeNone) return addEntity(cell, sums);
+    if (cell.x != kInfinity || cell.y != kInfinity) {
+      sums[uint32_t(HashField::place)] += hashWord(i, kDamageField, pair(cell.x, cell.y));
+    }
+  }
+
+  // All lanes together 0 while the tables are as they were uploaded.
+  GW_BODY uint64_t partOfTables(uint32_t lane) const {
+    uint64_t sum = lane == 0 ? 0 - v.tables->checksum : 0;
+    for (uint32_t w = lane; w < Tables::kWords; w += kLanes) sum += v.tables->wordHash(w);
+    return sum;
   }
 
   GW_BODY void addEntity(const Cell& cell, uint64_t* sums) const {
@@ -78,7 +97,7 @@ struct Report {
     report.over = m.over != 0;
     report.ending = Ending(m.over);
     for (uint32_t field = 0; field < kHashFields; ++field) {
-      const uint64_t sum = field == uint32_t(HashField::master) ? masterHash(m) : s.fieldHashes[field];
+      const uint64_t sum = s.fieldHashes[field] + (field == uint32_t(HashField::master) ? masterHash(m) : 0);
       report.fieldHashes[field] = sum;
       report.hash += sum;
       s.fieldHashes[field] = 0;  // for the next tick to add up

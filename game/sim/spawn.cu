@@ -26,12 +26,13 @@ struct CountBirths {
   }
 };
 
-// One item: one id, which is freed, filled or left alone.
+// One item: one id, which is freed, filled or left alone. Nobody threatens anybody yet.
 struct FillIds {
   View v;
 
   GW_BODY void operator()(uint32_t id) const {
     const Master& m = *v.master;
+    v.threat[id] = 0;  // for this tick's shots to raise
     if (m.over) return;
     const TickScratch& s = *v.scratch;
     const uint32_t cell = v.cellOf[id], type = v.cells[cell].type;

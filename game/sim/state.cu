@@ -66,6 +66,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   host.limits = limits_;
   host.mode = config.mode;
   for (uint32_t m = 0; m < kMachines; ++m) host.machines[m] = tableOf(Machine(m));
+  for (uint32_t w = 0; w < Tables::kWords; ++w) host.checksum += host.wordHash(w);
   tables.upload(&host, 1);
 
   Master start;

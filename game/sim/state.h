@@ -11,16 +11,24 @@
 #include "game/sim/simulation.h"
 #include "game/sim/state_tables.h"
 #include "gpu/scan_reduce.h"
+#include "gpu/state_hash.h"
 
 namespace gw::GW_DEVICE {
 
 // The device's copy of all tables.
 struct Tables {
+  uint64_t checksum;  // of all that follows
   Rules rules;
   Limits limits;
   MachineTable machines[kMachines];  // by Machine
   Mode mode;
+
+  static const uint32_t kWords;  // of 32 bits, after the checksum
+  GW_FN uint64_t wordHash(uint32_t w) const {
+    return hashWord(kNobody - 1, w, (reinterpret_cast<const uint32_t*>(this) + 2)[w]);
+  }
 };
+inline constexpr uint32_t Tables::kWords = (sizeof(Tables) - sizeof(uint64_t)) / 4;
 
 struct View {
   const Tables* tables;

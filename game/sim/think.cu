@@ -62,7 +62,6 @@ struct Think {
     const Rules& r = v.tables->rules;
     const EnemyRules& rules = r.enemies[cell.type];
     const uint64_t threat = v.threat[cell.id];
-    v.threat[cell.id] = 0;
     if (isAnnounced(v, cell.id)) return;  // it only stands there
 
     const Float4 force = v.forceEnergy[cell.id], direction = v.directionMass[cell.id];
