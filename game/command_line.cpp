@@ -24,6 +24,7 @@ constexpr VerbName kVerbs[] = {
     {"replay", Verb::replay, "Watch a replay."},
     {"verify", Verb::verify, "Run replays again and compare every tick."},
     {"devices", Verb::devices, "Say which devices there are and which one 'auto' takes."},
+    {"probe", Verb::probe, "Play a run for 'gpuwars verify --reference' of another build."},
 };
 constexpr std::string_view kLaterVerbs[] = {"profile", "render"};
 
@@ -34,6 +35,7 @@ constexpr Choice kModes[] = {{"arcade", uint32_t(Mode::arcade)},
 constexpr Choice kDevices[] = {{"auto", uint32_t(DeviceOption::automatic)},
                                {"cuda", uint32_t(DeviceOption::cuda)},
                                {"cpu", uint32_t(DeviceOption::cpu)}};
+constexpr Choice kAgainst[] = {{"cuda", uint32_t(DeviceOption::cuda)}, {"cpu", uint32_t(DeviceOption::cpu)}};
 constexpr Choice kBroadPhases[] = {{"ngrid", uint32_t(BroadPhase::ngrid)},
                                    {"grid", uint32_t(BroadPhase::grid)},
                                    {"grid-hashed", uint32_t(BroadPhase::gridHashed)},
@@ -76,6 +78,7 @@ class VerbParser {
     if (verb.verb == Verb::replay) addReplay();
     if (verb.verb == Verb::verify) addVerify();
     if (verb.verb == Verb::devices) addDevices();
+    if (verb.verb == Verb::probe) addProbe();
   }
 
   // Throws UsageError or CLI::CallForHelp and the like.
@@ -191,6 +194,25 @@ class VerbParser {
                  [&](std::string v) { options_.jsonPath = v; });
     values_.path("--hashes", "write one line a tick to OUT ('-': stdout)", "OUT",
                  [&](std::string v) { options_.hashesPath = v; });
+    addDesync();
+  }
+
+  void addDesync() {
+    values_.flag("--heavy", "take and restore a snapshot after every tick", [&] { options_.heavy = true; });
+    values_.flag("--shuffle", "the cpu device visits items in shuffled order, as --order shuffled",
+                 [&] { options_.order = VisitOrder::shuffled; });
+    values_.choice("--against", kAgainst, "play beside another device, and place a difference", "nothing",
+                   [&](uint32_t v) { options_.against = DeviceOption(v); });
+    values_.path("--reference", "play beside another build of gpuwars, and place a difference", "PROGRAM",
+                 [&](std::string v) { options_.reference = v; });
+    values_.path("--reference-options", "options of the reference, as '--threads 1'", "TEXT",
+                 [&](std::string v) { options_.referenceOptions = v; });
+    values_.path("--junit", "write the results to OUT as JUnit's XML", "OUT",
+                 [&](std::string v) { options_.junitPath = v; });
+  }
+
+  void addProbe() {
+    values_.files("FILE", "the replay to play", 1, [&](std::string v) { options_.files.emplace_back(v); });
   }
 
   void addDevices() {
@@ -198,7 +220,9 @@ class VerbParser {
                          [&](std::string v) { options_.jsonPath = v; });
   }
 
-  bool takesFiles() const { return verb_.verb == Verb::replay || verb_.verb == Verb::verify; }
+  bool takesFiles() const {
+    return verb_.verb == Verb::replay || verb_.verb == Verb::verify || verb_.verb == Verb::probe;
+  }
 
   void checkExtras() const {
     std::vector<std::string> extras = app_.remaining();
@@ -273,9 +297,7 @@ class VerbParser {
         refuse("'--record' and '--hashes' name the same file; give each its own");
       }
     }
-    if (o.verb == Verb::verify && !o.jsonPath.empty() && o.jsonPath == o.hashesPath) {
-      refuse("'--json' and '--hashes' name the same place; give each its own");
-    }
+    if (o.verb == Verb::verify) checkVerify();
     if (o.device == DeviceOption::cpu && o.blockSize != Options().blockSize) {
       refuse("'--block-size' is about the cuda device; leave it out or choose '--device cuda'");
     }
@@ -284,6 +306,26 @@ class VerbParser {
     }
     if (o.device == DeviceOption::cuda && (o.order != VisitOrder::forward || o.protectMemory)) {
       refuse("'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'");
+    }
+  }
+
+  void checkVerify() const {
+    const auto refuse = [](const char* sentence) { throw UsageError(sentence); };
+    const Options& o = options_;
+    if (!o.jsonPath.empty() && o.jsonPath == o.hashesPath) {
+      refuse("'--json' and '--hashes' name the same place; give each its own");
+    }
+    if (!o.junitPath.empty() && (o.junitPath == o.hashesPath || o.junitPath == o.jsonPath)) {
+      refuse("'--junit' and '--json' or '--hashes' name the same place; give each its own");
+    }
+    if (o.against && !o.reference.empty()) {
+      refuse("'--against' and '--reference' each name another side, and a run is played beside one; leave out one");
+    }
+    if (!o.referenceOptions.empty() && o.reference.empty()) {
+      refuse("'--reference-options' are for the program of '--reference'; name one");
+    }
+    if (o.heavy && (o.against || !o.reference.empty())) {
+      refuse("'--heavy' compares a run with itself, and not with another side; leave out one of the two");
     }
   }
 

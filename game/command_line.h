@@ -14,7 +14,7 @@ namespace gw {
 
 enum class ExitCode : int { fine = 0, failedRun = 1, badUsage = 2, badFile = 3, desync = 4 };
 
-enum class Verb : uint32_t { play, replay, verify, devices };
+enum class Verb : uint32_t { play, replay, verify, devices, probe };
 enum class DeviceOption : uint32_t { automatic, cuda, cpu };
 
 struct Options {
@@ -61,7 +61,12 @@ struct Options {
   std::vector<std::filesystem::path> files;
 
   // verify
-  uint32_t jobs = 1;  // replays at the same time
+  uint32_t jobs = 1;                    // replays at the same time
+  bool heavy = false;                   // every tick's state is taken as a snapshot and restored
+  std::optional<DeviceOption> against;  // another device plays beside
+  std::filesystem::path reference;      // another program plays beside; empty: none
+  std::string referenceOptions;         // its own, with spaces between them
+  std::filesystem::path junitPath;      // the results for continuous integration
 
   std::filesystem::path jsonPath;    // verify, devices; "-" is stdout
   std::filesystem::path hashesPath;  // headless play, verify: one line a tick; "-" is stdout

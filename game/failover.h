@@ -34,6 +34,7 @@ class Failover : public Simulation {
   CandidateCount countCandidates() override;
   void enableStageTimes(bool on) override;
   std::vector<StageTime> stageTimes() const override { return device_->stageTimes(); }
+  Inspection& inspection() override { return device_->inspection(); }
   uint32_t launchesPerTick() const override { return device_->launchesPerTick(); }
   uint32_t capacity() const override { return device_->capacity(); }
   float worldWidth_m() const override { return device_->worldWidth_m(); }

@@ -36,6 +36,8 @@ ExitCode runVerb(const Options& options) {
 #endif
     case Verb::verify:
       return verifyReplays(options);
+    case Verb::probe:
+      return answerAsProbe(options);
     case Verb::devices:
       return listDevicesCommand(options);
   }

@@ -159,6 +159,8 @@ struct CandidateCount {
   uint64_t entities = 0;  // enemies that searched
 };
 
+class Inspection;
+
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -193,6 +195,9 @@ class Simulation {
 
   virtual void enableStageTimes(bool on) = 0;
   virtual std::vector<StageTime> stageTimes() const = 0;
+
+  // The game laid open (game/sim/inspection.h); lives as long as its device does.
+  virtual Inspection& inspection() = 0;
 
   // Kernels of the last tick that was put together. Copies of the records and events are nodes beside them.
   virtual uint32_t launchesPerTick() const = 0;

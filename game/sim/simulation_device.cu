@@ -5,9 +5,11 @@
 
 #include "game/sim/candidates.h"
 #include "game/sim/draw_list.h"
+#include "game/sim/inspection.h"
 #include "game/sim/particle_list.h"
 #include "game/sim/simulation.h"
 #include "game/sim/snapshot.h"
+#include "game/sim/state_columns.h"
 #include "game/sim/step.h"
 #include "gpu/record_ring.h"
 #include "gpu/tick_graph.h"
@@ -29,7 +31,7 @@ std::string nameOf(const Queue& queue) {
 }
 #endif
 
-class DeviceSimulation final : public Simulation {
+class DeviceSimulation final : public Simulation, private Inspection {
  public:
   explicit DeviceSimulation(const SimulationConfig& config)
       : config_(config),
@@ -54,7 +56,7 @@ class DeviceSimulation final : public Simulation {
     }
     const uint32_t slot = launched_ % kTicksInFlight;
     inputs_.host(slot) = input;  // its last reader's report has been read
-    const bool sortInFull = rowsWidened_ > kWorthRebuilding && frozenRows();
+    const bool sortInFull = wantsFullSort();
     Captured& captured = (timer_.enabled() ? timed_ : plain_)[sortInFull][slot];
     captured.graph.replay(queue_);
     launchesPerTick_ = captured.launches;
@@ -129,6 +131,8 @@ class DeviceSimulation final : public Simulation {
     return times;
   }
 
+  Inspection& inspection() override { return *this; }
+
   uint32_t launchesPerTick() const override { return launchesPerTick_; }
   uint32_t capacity() const override { return state_.limits().capacity; }
   float worldWidth_m() const override { return state_.limits().width_m; }
@@ -150,6 +154,55 @@ class DeviceSimulation final : public Simulation {
 #endif
 
  private:
+  TickReport tickByStages(const InputRecord& input, const AfterStage& after) override {
+    if (read_ != launched_) throw std::logic_error("Ticks are queued: read their reports first.");
+    const uint32_t slot = launched_ % kTicksInFlight;
+    inputs_.host(slot) = input;
+    {
+      struct Telling {
+        DeviceSimulation& of;
+        ~Telling() {
+          of.timer_.tell(nullptr);
+          of.inStages_ = false;
+        }
+      } telling{*this};
+      inStages_ = true;
+      timer_.tell([&](const char* stage) { after(stage); });
+      runTick(slot, wantsFullSort());
+    }
+    queue_.synchronise();
+    ++launched_;
+    ++read_;
+    const TickReport report = reports_.host(slot);
+    rowsWidened_ = report.rowsWidened;
+    return report;
+  }
+
+  StageState stateAfter(const std::string& stage, const StageState* before) override {
+    return readState(state_, running(), stage, before);
+  }
+
+  std::vector<BytesOfBuffer> bytes() override {
+    return bytesOf(queue_, state_, running());
+  }
+
+  void flip(const BytesOfBuffer& part, uint32_t element, uint32_t bit) override {
+    uint8_t* d_byte = part.d_bytes + size_t(element) * part.stride + bit / 8;
+    uint8_t byte = 0;
+    copyBytes(queue_, &byte, d_byte, 1, Copy::toHost);
+    byte ^= uint8_t(1u << bit % 8);
+    copyBytes(queue_, d_byte, &byte, 1, Copy::toDevice);
+    queue_.synchronise();
+  }
+
+  // Of the tick by stages that runs, or of the last tick.
+  View running() const {
+    return state_.view((launched_ + (inStages_ ? 0 : 1)) % 2);
+  }
+
+  bool wantsFullSort() const {
+    return rowsWidened_ > kWorthRebuilding && frozenRows();
+  }
   bool frozenRows() const {
     return config_.broadPhase == BroadPhase::ngrid && config_.sortInUse() == Sort::frozen;
   }
@@ -207,6 +260,7 @@ class DeviceSimulation final : public Simulation {
   std::array<const StageMarks*, kTicksInFlight> marks_{};
   uint32_t launchesPerTick_ = 0;
   uint32_t launched_ = 0, read_ = 0;
+  bool inStages_ = false;
   // Frozen rows are sorted in full when a report says that they have widened: how to compute a tick is the host's to
   // choose, since it changes no bit of it.
   uint32_t sorted_ = 0;  // ticks launched when they were sorted last

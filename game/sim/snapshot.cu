@@ -32,12 +32,6 @@ std::vector<T> fetch(const Buffer<T>& buffer) {
   return buffer.download();
 }
 
-// Which of two alternating buffers the next tick reads.
-template <class T>
-const Buffer<T>& front(const Buffer<T> (&sides)[2], const T* data) {
-  return sides[0].data() == data ? sides[0] : sides[1];
-}
-
 void checkArrangement(const std::vector<uint32_t>& arrangement, uint32_t capacity) {
   std::vector<bool> seen(capacity);
   bool whole = arrangement.size() == capacity;
@@ -87,10 +81,10 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
   state.master.download(&master, 1);
   std::memcpy(snapshot.master.data(), &master, sizeof master);
 
-  const auto cells = fetch(front(state.cells, next.cells));
+  const auto cells = fetch(sideOf(state.cells, next.cells));
   const auto cellOf = fetch(state.cellOf);
-  const auto force = fetch(front(state.forceEnergy, next.forceEnergy));
-  const auto direction = fetch(front(state.directionMass, next.directionMass));
+  const auto force = fetch(sideOf(state.forceEnergy, next.forceEnergy));
+  const auto direction = fetch(sideOf(state.directionMass, next.directionMass));
   const auto motion = fetch(state.velocityPrevious);
   const auto machine = fetch(state.state);
   const auto push = fetch(state.push);

@@ -63,6 +63,12 @@ struct View {
   uint32_t capacity;
 };
 
+// Which of two alternating buffers stands at this address.
+template <class T>
+const Buffer<T>& sideOf(const Buffer<T> (&sides)[2], const T* d_data) {
+  return sides[0].data() == d_data ? sides[0] : sides[1];
+}
+
 // Purposes of random numbers: the third word of a counter. Never reuse or renumber.
 enum Purpose : uint32_t {
   kPurposePlace = 1,      // (tick, command, ., birth) where an enemy appears

@@ -1,0 +1,172 @@
+#include "game/commands/verify_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+#include "game/commands/hash_file.h"
+#include "game/desync/desync_text.h"
+#include "game/desync/local_probe.h"
+#include "game/desync/remote_probe.h"
+#include "game/interrupt.h"
+#include "game/replay/replay_reader.h"
+#include "game/user_error.h"
+
+namespace gw {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool same(const Snapshot& a, const Snapshot& b) {
+  return a.master == b.master && a.arrangement == b.arrangement && a.entities.size() == b.entities.size() &&
+         (a.entities.empty() ||
+          std::memcmp(a.entities.data(), b.entities.data(), a.entities.size() * sizeof(EntityRecord)) == 0);
+}
+
+class Verification {
+ public:
+  Verification(Outcome& outcome, const Replay& replay) : outcome_(outcome), replay_(replay) {
+    outcome_.ticks = replay.ticks();
+  }
+
+  // Ticks are queued ahead. `heavy`: no; each tick's state is taken, put back, and taken again.
+  void run(Simulation& simulation, bool heavy) {
+    outcome_.device = simulation.deviceName();
+    const uint32_t ahead = heavy ? 1 : Simulation::kTicksInFlight;
+    uint32_t queued = 0;
+    while (outcome_.compared < replay_.ticks() && !interrupted() && outcome_.wrong.empty()) {
+      while (queued < replay_.ticks() && queued - outcome_.compared < ahead) simulation.tick(replay_.inputs[queued++]);
+      hear(simulation.report());
+      if (heavy) takeAndRestore(simulation);
+    }
+  }
+
+  void runBeside(Probe& own, Probe& reference) {
+    outcome_.device = own.name();
+    const Lockstep lockstep = playInLockstep(own, reference, replay_.ticks(), [](uint32_t) { return !interrupted(); });
+    outcome_.desync = lockstep.desync;
+  }
+
+  void hear(const TickReport& report) {
+    const uint32_t tick = outcome_.compared++;
+    outcome_.hashes.push_back(report.hash);
+    outcome_.facts.add(report);
+    if (report.hash != replay_.hashes[tick] && !outcome_.first) {
+      outcome_.first = HashDifference{tick + 1, replay_.hashes[tick], report.hash};
+    }
+    if (outcome_.first && !outcome_.fields) compareFields(tick + 1, report);
+  }
+
+  void judge() {
+    const TickReport& last = outcome_.facts.last;
+    if (outcome_.desync || outcome_.first || !outcome_.wrong.empty()) {
+      outcome_.code = ExitCode::desync;
+    } else if (outcome_.compared < replay_.ticks()) {
+      outcome_.error = "interrupted after " + std::to_string(outcome_.compared) + " of " +
+                       std::to_string(replay_.ticks()) + " ticks; run it again to its end";
+      outcome_.code = ExitCode::failedRun;
+    } else if (replay_.result != FinalReport{last.score, last.kills, last.frameTime_us, last.over != 0}) {
+      outcome_.wrong = "every tick is equal, but the recorded result is score " + std::to_string(replay_.result.score) +
+                       ", computed " + std::to_string(last.score) + "; record it again.";
+      outcome_.code = ExitCode::desync;
+    } else {
+      outcome_.code = ExitCode::fine;
+    }
+  }
+
+ private:
+  void takeAndRestore(Simulation& simulation) {
+    const Snapshot taken = simulation.snapshot();
+    simulation.restore(taken);
+    if (same(taken, simulation.snapshot())) return;
+    outcome_.wrong = "the snapshot of tick " + std::to_string(outcome_.compared) +
+                     " is another one once it is restored; see game/sim/snapshot.cu.";
+  }
+
+  void compareFields(uint32_t tick, const TickReport& report) {
+    const size_t kept = tick / kFieldsEvery_ticks;
+    if (tick % kFieldsEvery_ticks != 0 || kept > replay_.fieldHashes.size()) return;
+    FieldDifference& difference = outcome_.fields.emplace();
+    difference.tick = tick;
+    for (uint32_t field = 0; field < kHashFields; ++field) {
+      if (report.fieldHashes[field] == replay_.fieldHashes[kept - 1][field]) continue;
+      difference.fields.emplace_back(kHashFieldNames[field]);
+    }
+  }
+
+  Outcome& outcome_;
+  const Replay& replay_;
+};
+
+// What the reference's command line says after the file: its own options, else those of this one.
+std::vector<std::string> referenceArguments(const std::filesystem::path& file, const Options& options) {
+  std::vector<std::string> arguments{"probe", file.string()};
+  for (size_t begin = 0; begin < options.referenceOptions.size();) {
+    const size_t end = std::min(options.referenceOptions.find(' ', begin), options.referenceOptions.size());
+    if (end > begin) arguments.push_back(options.referenceOptions.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return arguments;
+}
+
+void playBeside(Outcome& outcome, Verification& verification, const Replay& replay, const SimulationConfig& config,
+                const Options& options, const DeviceChoice& device, const std::filesystem::path& file) {
+  LocalProbe own([&] { return makeSimulation(device, config); }, replay.inputs,
+                 [&](const TickReport& report) { verification.hear(report); });
+  std::unique_ptr<Probe> reference;
+  if (options.against) {
+    const DeviceChoice other = chooseDevice(*options.against);
+    reference = std::make_unique<LocalProbe>([other, config] { return makeSimulation(other, config); }, replay.inputs);
+    outcome.reference = reference->name();
+  } else {
+    reference = std::make_unique<RemoteProbe>(options.reference, referenceArguments(file, options));
+    outcome.reference = reference->name() + ", " + options.reference.string();
+  }
+  verification.runBeside(own, *reference);
+  if (!outcome.desync) return;
+  const uint32_t tick = outcome.desync->tick;
+  outcome.desyncText = desyncText(
+      *outcome.desync, {outcome.device, outcome.reference, outcome.config.rules, replay.hashes.at(tick - 1)});
+}
+
+}  // namespace
+
+Outcome verifyReplay(const std::filesystem::path& file, const Options& options, const DeviceChoice& device) {
+  Outcome outcome;
+  outcome.file = file.string();
+  try {
+    const Replay replay = readReplay(file);
+    SimulationConfig config = replayConfig(replay);
+    outcome.config = config;
+    setComputingOf(config, options, outcome.file);
+    if (config.threads == 0 && options.jobs > 1) {  // the machine is shared between the jobs
+      config.threads = std::max(1u, std::thread::hardware_concurrency() / options.jobs);
+    }
+    Verification verification(outcome, replay);
+    const auto start = Clock::now();
+    if (options.against || !options.reference.empty()) {
+      playBeside(outcome, verification, replay, config, options, device, file);
+    } else {
+      verification.run(*makeSimulation(device, config), options.heavy);
+    }
+    outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    verification.judge();
+  } catch (const ReplayError& error) {
+    outcome.error = error.what();
+    outcome.code = ExitCode::badFile;
+  } catch (const TableError& error) {
+    outcome.error = error.what();
+    outcome.code = ExitCode::badFile;
+  } catch (const UserError& error) {
+    outcome.error = error.what();
+    outcome.code = error.code;
+  } catch (const std::bad_alloc&) {
+    outcome.error = outcome.file + " needs more memory than there is: verify it on a larger machine.";
+  } catch (const std::exception& error) {
+    outcome.error = error.what();
+  }
+  return outcome;
+}
+
+}  // namespace gw
