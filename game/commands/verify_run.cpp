@@ -85,8 +85,8 @@ class Verification {
   }
 
   void compareFields(uint32_t tick, const TickReport& report) {
-    const size_t kept = tick / kFieldsEvery_ticks;
-    if (tick % kFieldsEvery_ticks != 0 || kept > replay_.fieldHashes.size()) return;
+    const size_t kept = tick / kFieldHashesEvery_ticks;
+    if (tick % kFieldHashesEvery_ticks != 0 || kept > replay_.fieldHashes.size()) return;
     FieldDifference& difference = outcome_.fields.emplace();
     difference.tick = tick;
     for (uint32_t field = 0; field < kHashFields; ++field) {
