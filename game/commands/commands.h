@@ -10,6 +10,8 @@ ExitCode playWindow(const Options& options);
 ExitCode playHeadless(const Options& options);
 ExitCode watchReplay(const Options& options);
 ExitCode verifyReplays(const Options& options);
+ExitCode trimReplay(const Options& options);
+ExitCode diffTwoReplays(const Options& options);
 ExitCode listDevicesCommand(const Options& options);
 
 }  // namespace gw
