@@ -23,6 +23,8 @@ constexpr VerbName kVerbs[] = {
     {"play", Verb::play, "Play; what happens with no verb at all."},
     {"replay", Verb::replay, "Watch a replay."},
     {"verify", Verb::verify, "Run replays again and compare every tick."},
+    {"trim", Verb::trim, "Run a replay again up to a tick and write what was run, whole and in today's format."},
+    {"diff", Verb::diff, "Say where two replays part."},
     {"devices", Verb::devices, "Say which devices there are and which one 'auto' takes."},
     {"probe", Verb::probe, "Play a run for 'gpuwars verify --reference' of another build."},
 };
@@ -56,7 +58,7 @@ std::string mainHelp() {
   text += "Usage: gpuwars [VERB] [OPTIONS]\n\nVerbs:\n";
   for (const VerbName& verb : kVerbs) text += fmt::format("  {:<9}{}\n", verb.name, verb.summary);
   text += "\n'gpuwars VERB --help' lists a verb's options; they mean the same under every verb.\n";
-  text += "Exit codes: 0 fine, 1 failed run, 2 bad usage, 3 bad file, 4 desync.\n";
+  text += "Exit codes: 0 fine, 1 failed run (diff: they differ), 2 bad usage, 3 bad file, 4 desync.\n";
   return text;
 }
 
@@ -73,10 +75,12 @@ class VerbParser {
     app_.allow_extras();  // so that checkExtras() can say where they belong
     options_.verb = verb.verb;
     if (verb.verb == Verb::play) addGame();
-    if (verb.verb != Verb::devices) addComputing();
+    if (verb.verb != Verb::devices && verb.verb != Verb::diff) addComputing();
     if (verb.verb == Verb::play || verb.verb == Verb::replay) addWindow();
     if (verb.verb == Verb::replay) addReplay();
     if (verb.verb == Verb::verify) addVerify();
+    if (verb.verb == Verb::trim) addTrim();
+    if (verb.verb == Verb::diff) addDiff();
     if (verb.verb == Verb::devices) addDevices();
     if (verb.verb == Verb::probe) addProbe();
   }
@@ -96,6 +100,12 @@ class VerbParser {
     if (options_.thesis) takeThesis();
     if (takesFiles() && options_.files.empty()) {
       throw UsageError(fmt::format("'gpuwars {}' needs a replay; name the file", verb_.name));
+    }
+    if (verb_.verb == Verb::diff && options_.files.size() < 2) {
+      throw UsageError("'gpuwars diff' compares two replays; name both files");
+    }
+    if (verb_.verb == Verb::trim && options_.outPath.empty()) {
+      throw UsageError("'gpuwars trim' needs to know what to write; add '--out FILE'");
     }
     checkContradictions();
   }
@@ -215,14 +225,26 @@ class VerbParser {
     values_.files("FILE", "the replay to play", 1, [&](std::string v) { options_.files.emplace_back(v); });
   }
 
+  void addTrim() {
+    values_.files("FILE", "the replay to run again", 1, [&](std::string v) { options_.files.emplace_back(v); });
+    values_.path("--out", "write the new replay to OUT, which may be FILE itself", "OUT",
+                 [&](std::string v) { options_.outPath = v; });
+    values_.integer("--to", "the last tick to keep (all there are)", 1, kMaxTicks,
+                    [&](uint64_t v) { options_.toTick = uint32_t(v); });
+  }
+
+  void addDiff() {
+    values_.files("FILE", "the two replays to compare", 2, [&](std::string v) { options_.files.emplace_back(v); });
+    values_.pathOrStdout("--json", "write what differs as JSON to OUT, or to stdout", "OUT",
+                         [&](std::string v) { options_.jsonPath = v; });
+  }
+
   void addDevices() {
     values_.pathOrStdout("--json", "write the list as JSON to OUT, or to stdout", "OUT",
                          [&](std::string v) { options_.jsonPath = v; });
   }
 
-  bool takesFiles() const {
-    return verb_.verb == Verb::replay || verb_.verb == Verb::verify || verb_.verb == Verb::probe;
-  }
+  bool takesFiles() const { return verb_.verb != Verb::play && verb_.verb != Verb::devices; }
 
   void checkExtras() const {
     std::vector<std::string> extras = app_.remaining();
@@ -353,7 +375,7 @@ const VerbName& takeVerb(std::vector<std::string>& arguments) {
   const VerbName* verb = findVerb(name);
   if (!verb) {
     throw UsageError(
-        fmt::format("'{}' is not a verb; choose play, replay, verify or devices (to watch a file: "
+        fmt::format("'{}' is not a verb; choose play, replay, verify, trim, diff or devices (to watch a file: "
                     "'gpuwars replay FILE')",
                     name));
   }

@@ -12,9 +12,10 @@
 
 namespace gw {
 
-enum class ExitCode : int { fine = 0, failedRun = 1, badUsage = 2, badFile = 3, desync = 4 };
+// `differ` is what diff says, as the program of that name does.
+enum class ExitCode : int { fine = 0, failedRun = 1, differ = 1, badUsage = 2, badFile = 3, desync = 4 };
 
-enum class Verb : uint32_t { play, replay, verify, devices, probe };
+enum class Verb : uint32_t { play, replay, verify, trim, diff, devices, probe };
 enum class DeviceOption : uint32_t { automatic, cuda, cpu };
 
 struct Options {
@@ -26,13 +27,13 @@ struct Options {
   uint32_t enemies = 8192;
   Autopilot autopilot = Autopilot::none;
 
-  // How neighbours are found (play, replay, verify). None: not asked for, so what a replay says, else exact, and
+  // How neighbours are found (play, replay, verify, trim). None: not asked for, so what a replay says, else exact, and
   // usualSort(). Inexact gathers change the game; a replay cannot be asked for others than it was recorded with.
   std::optional<Gather> gather;
   std::optional<Sort> sort;
   bool thesis = false;  // they were asked for by --thesis
 
-  // How it is computed (play, replay, verify). Cannot change the game.
+  // How it is computed (play, replay, verify, trim). Cannot change the game.
   DeviceOption device = DeviceOption::automatic;
   uint32_t threads = 0;  // cpu device: 0 takes what the machine has
   BroadPhase broadPhase = BroadPhase::ngrid;
@@ -57,7 +58,11 @@ struct Options {
   double speed = 1;  // times real time
   uint32_t fromTick = 0;
 
-  // replay (exactly one), verify (one or more)
+  // trim
+  std::filesystem::path outPath;
+  uint32_t toTick = 0;  // 0: all there are
+
+  // replay and trim (exactly one), diff (two), verify (one or more)
   std::vector<std::filesystem::path> files;
 
   // verify
@@ -68,7 +73,7 @@ struct Options {
   std::string referenceOptions;         // its own, with spaces between them
   std::filesystem::path junitPath;      // the results for continuous integration
 
-  std::filesystem::path jsonPath;    // verify, devices; "-" is stdout
+  std::filesystem::path jsonPath;    // verify, diff, devices; "-" is stdout
   std::filesystem::path hashesPath;  // headless play, verify: one line a tick; "-" is stdout
   std::filesystem::path assetsDir;   // empty: where the program finds its own
 

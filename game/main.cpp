@@ -1,6 +1,7 @@
 // gpuwars: parses the command line, runs the verb, and turns whatever goes wrong into one sentence and an
 // exit code.
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <string>
@@ -38,6 +39,10 @@ ExitCode runVerb(const Options& options) {
       return verifyReplays(options);
     case Verb::probe:
       return answerAsProbe(options);
+    case Verb::trim:
+      return trimReplay(options);
+    case Verb::diff:
+      return diffTwoReplays(options);
     case Verb::devices:
       return listDevicesCommand(options);
   }
@@ -58,6 +63,7 @@ int main(int argc, char** argv) {
     std::fputs(parsed.output.c_str(), stdout);
     return parsed.error.empty() ? int(parsed.code) : fail(parsed.code, parsed.error);
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is a write that fails, and is said in a sentence
   try {
     return int(runVerb(parsed.options));
   } catch (const UserError& error) {

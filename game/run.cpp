@@ -18,7 +18,7 @@ bool Run::collect() {
   if (over()) return false;
   monitor_.add(report);
   effects_.add(report);
-  if (recorder_ && !recorder_->append(report.input, report.hash)) finishRecording();  // full: four hours
+  if (recorder_ && !recorder_->append(report)) finishRecording();  // full: four hours
   if (over()) finishRecording();
   return true;
 }

@@ -26,7 +26,7 @@ class ReplaySession {
  public:
   explicit ReplaySession(const Options& options)
       : options_(options),
-        replay_(readReplay(options.files.front())),
+        replay_(readReplay(options.files.front(), SimulationVersions::current, Completeness::partial)),
         config_(replayConfig(replay_)),
         device_(chooseDevice(options.device)),
         settingsFile_(settingsFileOf(options)),

@@ -1,10 +1,12 @@
 #include "game/commands/run_factory.h"
 
 #include <chrono>
+#include <cstdio>
 #include <random>
 
 #include "game/asset_folder.h"
 #include "game/files/atomic_file.h"
+#include "game/files/part_file.h"
 
 namespace gw {
 
@@ -15,6 +17,18 @@ std::filesystem::path numbered(const std::filesystem::path& path, uint32_t numbe
   std::filesystem::path result = path;
   result.replace_filename(path.stem().string() + "-" + std::to_string(number) + path.extension().string());
   return result;
+}
+
+// Recordings that were cut short lie beside the target until somebody decides.
+void sayWhatIsLeft(const std::filesystem::path& target) {
+  const std::vector<std::filesystem::path> parts = partsLeftBeside(target);
+  if (parts.empty()) return;
+  const std::string first = parts.front().string();
+  const std::string others = parts.size() == 1 ? "" : " (and " + std::to_string(parts.size() - 1) + " more like it)";
+  std::fprintf(stderr,
+               "%s%s is left of a recording that was cut short: watch it with 'gpuwars replay', make it whole with "
+               "'gpuwars trim %s --out NAME.gwr', or delete it.\n",
+               first.c_str(), others.c_str(), first.c_str());
 }
 
 }  // namespace
@@ -47,6 +61,7 @@ std::unique_ptr<Run> RunFactory::make(Mode mode, uint64_t seed, Autopilot autopi
     header.gather = config.gather;
     if (config.gather != Gather::exact) header.sort = config.sortInUse();
     recordPath_ = numbered(options_.recordPath, ++recordings_);
+    sayWhatIsLeft(recordPath_);
     recorder.emplace(recordPath_, header, texts_);
   }
   return std::make_unique<Run>(makeLastingSimulation(device_, config), std::move(recorder));

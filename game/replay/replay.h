@@ -1,6 +1,7 @@
 // A replay in memory: all that is needed to play a run again and to check every tick of it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -44,12 +45,18 @@ struct FinalReport {
   friend bool operator==(const FinalReport&, const FinalReport&) = default;
 };
 
+// The parts that a tick's hash is the sum of, by HashField.
+using FieldHashes = std::array<uint64_t, kHashFields>;
+
 struct Replay {
   ReplayHeader header;
   RuleTexts rules;
   std::vector<InputRecord> inputs;  // [0] is tick 1's
   std::vector<uint64_t> hashes;     // [0] is the state's after tick 1; as many as inputs
+  // [k] is after tick kFieldHashesEvery_ticks * (k + 1). Empty in files before 2.0, and may end early in a partial one.
+  std::vector<FieldHashes> fieldHashes;
   FinalReport result;
+  bool whole = true;  // false: what there is of a file without its end; `result` is then not known
 
   uint32_t ticks() const { return uint32_t(inputs.size()); }
 };

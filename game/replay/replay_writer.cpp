@@ -9,6 +9,7 @@
 #include "game/files/atomic_file.h"
 #include "game/replay/byte_order.h"
 #include "game/replay/checksum.h"
+#include "game/replay/replay_parts.h"
 
 namespace gw {
 namespace {
@@ -21,6 +22,10 @@ void check(const Replay& replay) {
   const ReplayHeader& header = replay.header;
   if (replay.inputs.empty() || replay.inputs.size() > kMaxTicks) refuse("number of ticks");
   if (replay.inputs.size() != replay.hashes.size()) refuse("as many hashes as inputs are needed");
+  if (!replay.fieldHashes.empty() && replay.fieldHashes.size() != replay.inputs.size() / kFieldHashesEvery_ticks) {
+    refuse("hashes by field of all ticks or of none are needed");
+  }
+  if (!replay.whole) refuse("its end is missing");
   if (header.enemies < 1 || header.enemies > kMaxEnemies) refuse("number of enemies");
   if (header.mode > Mode::practice || header.autopilot > Autopilot::expert) refuse("mode or autopilot");
   if (header.gather > Gather::fixed || header.sort > Sort::oddEven) refuse("gather or sort");
@@ -36,109 +41,58 @@ void check(const Replay& replay) {
   }
 }
 
-class FileBuilder {
- public:
-  explicit FileBuilder(const Replay& replay) : bytes_(kHeaderBytes, 0) {
-    std::copy(kMagic.begin(), kMagic.end(), bytes_.begin());
-    putLittleAt(bytes_, kOffsetMajor, kReplayMajor);
-    putLittleAt(bytes_, kOffsetMinor, kReplayMinor);
-    putLittleAt(bytes_, kOffsetHeaderBytes, uint32_t(kHeaderBytes));
-    putLittleAt(bytes_, kOffsetSimulationVersion, replay.header.simulationVersion);
-    putLittleAt(bytes_, kOffsetSeed, replay.header.seed);
-    putLittleAt(bytes_, kOffsetMode, uint32_t(replay.header.mode));
-    putLittleAt(bytes_, kOffsetEnemies, replay.header.enemies);
-    putLittleAt(bytes_, kOffsetAutopilot, uint32_t(replay.header.autopilot));
-    putLittleAt(bytes_, kOffsetTicks, replay.ticks());
-    putLittleAt(bytes_, kOffsetGather, uint32_t(replay.header.gather));
-    putLittleAt(bytes_, kOffsetSort, uint32_t(replay.header.sort));
-  }
-
-  void chunk(uint32_t kind, uint32_t flags, uint32_t firstTick, const Bytes& payload) {
-    putLittle(bytes_, kind);
-    putLittle(bytes_, flags);
-    putLittle(bytes_, uint32_t(payload.size()));
-    putLittle(bytes_, firstTick);
-    putLittle(bytes_, replayChecksum(payload));
-    bytes_.insert(bytes_.end(), payload.begin(), payload.end());
-    ++chunks_;
-  }
-
-  // Completes the header, then closes the file with the checksum of all before.
-  Bytes finish() {
-    putLittleAt(bytes_, kOffsetChunks, chunks_ + 1);
-    putLittleAt(bytes_, kOffsetChecksum, replayChecksum(std::span(bytes_).first(kOffsetChecksum)));
-    Bytes payload;
-    putLittle(payload, replayChecksum(bytes_));
-    chunk(kEndChunk, kRequired, 0, payload);
-    return std::move(bytes_);
-  }
-
- private:
-  Bytes bytes_;
-  uint32_t chunks_ = 0;
+// What a replay is made of, ticks [start, end) of it.
+struct Block {
+  Bytes inputs, hashes, fields;  // payloads; no fields: the block holds none
+  uint32_t firstTick = 0, firstFieldsTick = 0;
 };
 
-Bytes tablesPayload(const RuleTexts& rules) {
-  Bytes payload;
-  for (const RuleText* text : {&rules.game, &rules.enemies, &rules.waves}) {
-    putLittle(payload, uint32_t(text->text.size()));
-    payload.insert(payload.end(), text->text.begin(), text->text.end());
+Block blockOf(const Replay& replay, size_t start, size_t end) {
+  Block block;
+  block.firstTick = uint32_t(start + 1);
+  putInputs(block.inputs, std::span(replay.inputs).subspan(start, end - start));
+  putHashes(block.hashes, std::span(replay.hashes).subspan(start, end - start));
+  const size_t first = start / kFieldHashesEvery_ticks;
+  const size_t last = std::min(end / kFieldHashesEvery_ticks, replay.fieldHashes.size());
+  if (first < last) {
+    block.firstFieldsTick = uint32_t((first + 1) * kFieldHashesEvery_ticks);
+    putFieldHashes(block.fields, std::span(replay.fieldHashes).subspan(first, last - first));
   }
-  return payload;
-}
-
-void addInputs(FileBuilder& file, const std::vector<InputRecord>& inputs) {
-  Bytes payload;
-  size_t chunkStart = 0;
-  for (size_t i = 0; i < inputs.size();) {
-    size_t end = i + 1;
-    while (end < inputs.size() && inputs[end] == inputs[i]) ++end;
-    if (payload.size() + kRunBytes > kMaxChunkBytes) {
-      file.chunk(kInputsChunk, kRequired, uint32_t(chunkStart + 1), payload);
-      payload.clear();
-      chunkStart = i;
-    }
-    putLittle(payload, uint32_t(end - i));
-    putLittle(payload, uint16_t(inputs[i].move_x));
-    putLittle(payload, uint16_t(inputs[i].move_y));
-    putLittle(payload, inputs[i].aim);
-    putLittle(payload, inputs[i].buttons);
-    i = end;
-  }
-  file.chunk(kInputsChunk, kRequired, uint32_t(chunkStart + 1), payload);
-}
-
-void addHashes(FileBuilder& file, const std::vector<uint64_t>& hashes) {
-  constexpr size_t kPerChunk = kMaxChunkBytes / kHashBytes;
-  for (size_t start = 0; start < hashes.size(); start += kPerChunk) {
-    Bytes payload;
-    for (size_t i = start; i < std::min(start + kPerChunk, hashes.size()); ++i) putLittle(payload, hashes[i]);
-    file.chunk(kHashesChunk, kRequired, uint32_t(start + 1), payload);
-  }
-}
-
-Bytes finalPayload(const FinalReport& result) {
-  Bytes payload;
-  putLittle(payload, result.score);
-  putLittle(payload, result.kills);
-  putLittle(payload, result.frameTime_us);
-  putLittle(payload, uint32_t(result.over));
-  return payload;
+  return block;
 }
 
 }  // namespace
 
 std::vector<uint8_t> encodeReplay(const Replay& replay) {
   check(replay);
-  FileBuilder file(replay);
-  if (!replay.header.options.empty()) {
-    file.chunk(kOptionsChunk, 0, 0, Bytes(replay.header.options.begin(), replay.header.options.end()));
+  Bytes chunks;
+  uint32_t count = 0;
+  const auto add = [&](uint32_t kind, uint32_t flags, uint32_t firstTick, std::span<const uint8_t> payload) {
+    putChunk(chunks, kind, flags, firstTick, payload);
+    ++count;
+  };
+  const std::string& options = replay.header.options;
+  if (!options.empty()) add(kOptionsChunk, 0, 0, {reinterpret_cast<const uint8_t*>(options.data()), options.size()});
+  Bytes payload;
+  putTables(payload, replay.rules);
+  add(kTablesChunk, kRequired, 0, payload);
+  for (size_t start = 0; start < replay.inputs.size(); start += kTicksPerBlock) {
+    const Block block = blockOf(replay, start, std::min<size_t>(start + kTicksPerBlock, replay.inputs.size()));
+    add(kInputsChunk, kRequired, block.firstTick, block.inputs);
+    add(kHashesChunk, kRequired, block.firstTick, block.hashes);
+    if (!block.fields.empty()) add(kFieldHashesChunk, 0, block.firstFieldsTick, block.fields);
   }
-  file.chunk(kTablesChunk, kRequired, 0, tablesPayload(replay.rules));
-  addInputs(file, replay.inputs);
-  addHashes(file, replay.hashes);
-  file.chunk(kFinalChunk, kRequired, 0, finalPayload(replay.result));
-  return file.finish();
+  payload.clear();
+  putFinal(payload, replay.result);
+  add(kFinalChunk, kRequired, 0, payload);
+
+  Bytes file;
+  putReplayHeader(file, replay.header, replay.ticks(), count + 1);
+  file.insert(file.end(), chunks.begin(), chunks.end());
+  payload.clear();
+  putLittle(payload, replayChecksum(file));
+  putPlainChunk(file, kEndChunk, kRequired, 0, payload);
+  return file;
 }
 
 void writeReplay(const std::filesystem::path& path, const Replay& replay) {
