@@ -108,8 +108,9 @@ std::string desyncText(const Desync& desync, const DesyncNames& names) {
     return lines + "  All values are equal after every stage, only their hashes are not: look at hash.cu.\n";
   }
   if (desync.id) {
-    lines += fmt::format("  entity        {} ({})\n", *desync.id,
-                         typeName(desync.entity[0].empty() ? kTypeNone : desync.entity[0][0].bits, names.rules));
+    lines +=
+        fmt::format("  entity        {} ({})\n", *desync.id,
+                    typeName(desync.entity[0].empty() ? uint64_t(kTypeNone) : desync.entity[0][0].bits, names.rules));
   }
   lines += fmt::format("  field         {}: {} here, {} in the reference\n", desync.field,
                        text(desync.values[0], names.rules), text(desync.values[1], names.rules));
