@@ -215,7 +215,7 @@ class VerbParser {
                    [&](uint32_t v) { options_.against = DeviceOption(v); });
     values_.path("--reference", "play beside another build of gpuwars, and place a difference", "PROGRAM",
                  [&](std::string v) { options_.reference = v; });
-    values_.path("--reference-options", "options of the reference, as '--threads 1'", "TEXT",
+    values_.text("--reference-options", "options of the reference, as '--threads 1'", "TEXT",
                  [&](std::string v) { options_.referenceOptions = v; });
     values_.path("--junit", "write the results to OUT as JUnit's XML", "OUT",
                  [&](std::string v) { options_.junitPath = v; });

@@ -107,6 +107,11 @@ void CommandLineValues::path(const char* name, const char* help, const char* pla
   });
 }
 
+void CommandLineValues::text(const char* name, const char* help, const char* placeholder,
+                             std::function<void(std::string)> take) {
+  declare(name, help, placeholder, "Options", std::move(take));
+}
+
 void CommandLineValues::pathOrStdout(const char* name, const char* help, const char* placeholder,
                                      std::function<void(std::string)> take) {
   path(name, help, placeholder, std::move(take));
@@ -133,7 +138,8 @@ void CommandLineValues::read() const {
     const std::vector<std::string>& texts = entry.option->results();
     if (texts.size() > entry.most) {
       if (entry.option->get_positional()) {
-        throw UsageError(fmt::format("'{}' is one file too many; give just {}", texts[entry.most], entry.most == 1 ? "one" : "two"));
+        throw UsageError(
+            fmt::format("'{}' is one file too many; give just {}", texts[entry.most], entry.most == 1 ? "one" : "two"));
       }
       throw UsageError(fmt::format("'{}' is given more than once; keep one of them", entry.name));
     }

@@ -43,6 +43,8 @@ class CommandLineValues {
   void number(const char* name, const char* help, double least, double most, std::function<void(double)> take);
   void path(const char* name, const char* help, const char* placeholder, std::function<void(std::string)> take,
             const char* group = "Options");
+  // Anything at all, taken as it is.
+  void text(const char* name, const char* help, const char* placeholder, std::function<void(std::string)> take);
   // A path that may be left out: "-" then.
   void pathOrStdout(const char* name, const char* help, const char* placeholder, std::function<void(std::string)> take);
   // What stands without a dash: 1 to `most` files.

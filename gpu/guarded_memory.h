@@ -18,6 +18,13 @@ class GuardedMemory {
   void* allocate(size_t bytes);
   void release(void* pointer);
 
+  // Whole pages each, in the order in which they were allocated.
+  struct Range {
+    void* start;
+    size_t bytes;
+  };
+  const std::vector<Range>& ranges() const { return ranges_; }
+
   // Opens all of it for as long as the object lives; nests.
   class Access {
    public:
@@ -35,10 +42,6 @@ class GuardedMemory {
   void close();
   void setProtection(int protection);
 
-  struct Range {
-    void* start;
-    size_t bytes;
-  };
   bool protect_;
   int depth_ = 0;
   std::vector<Range> ranges_;

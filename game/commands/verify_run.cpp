@@ -46,6 +46,7 @@ class Verification {
     outcome_.device = own.name();
     const Lockstep lockstep = playInLockstep(own, reference, replay_.ticks(), [](uint32_t) { return !interrupted(); });
     outcome_.desync = lockstep.desync;
+    if (outcome_.desync) outcome_.compared = outcome_.desync->tick;  // both have played on for a little
   }
 
   void hear(const TickReport& report) {

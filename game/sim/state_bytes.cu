@@ -1,5 +1,7 @@
 // Every byte of device memory, and what comes of damage to it. Whoever adds a buffer or a member says so here, or it
 // does not compile; tests/game/sim/damage_test.cpp turns over bits of all of them and looks whether it is true.
+#include <algorithm>
+
 #include "game/sim/state_columns.h"
 
 namespace gw::GW_DEVICE {
@@ -109,7 +111,33 @@ static_assert(sizeof(GameState) == sizeof(Known), "list the new buffer in bytesO
 
 }  // namespace
 
-std::vector<BytesOfBuffer> bytesOf([[maybe_unused]] Queue& queue, const GameState& state, const View& v) {
+#if GW_ON_CUDA
+namespace {
+void addDerived(Queue&, Listing&) {}  // whose allocations nobody lists
+}  // namespace
+#else
+namespace {
+
+// All that is neither named nor state: what finds neighbours, ranks births, counts and draws.
+void addDerived(Queue& queue, Listing& all) {
+  const size_t named = all.list.size();
+  uint32_t number = 0;
+  for (const GuardedMemory::Range& range : queue.memory.ranges()) {
+    uint8_t* d_bytes = static_cast<uint8_t*>(range.start);
+    const bool known = std::any_of(
+        all.list.begin(), all.list.begin() + ptrdiff_t(named),
+        [&](const BytesOfBuffer& part) { return part.d_bytes >= d_bytes && part.d_bytes < d_bytes + range.bytes; });
+    if (known) continue;
+    all.list.push_back({"derived " + std::to_string(++number), "all", Standing::costOnly,
+                        "made anew from the state before it is read, or only chooses how much work is done", d_bytes, 1,
+                        1, uint32_t(range.bytes)});
+  }
+}
+
+}  // namespace
+#endif
+
+std::vector<BytesOfBuffer> bytesOf(Queue& queue, const GameState& state, const View& v) {
   Listing all;
   all.add("master", state.master, kMaster);
   all.add("tables", state.tables, kTables);
@@ -134,6 +162,7 @@ std::vector<BytesOfBuffer> bytesOf([[maybe_unused]] Queue& queue, const GameStat
   all.add("event", state.event, kWord);
   all.add("pushSum", state.pushSum, kPushSum, false, 3);
   all.add("threat", state.threat, kThreat);
+  addDerived(queue, all);
   return all.list;
 }
 

@@ -27,6 +27,7 @@ class FailingDevice final : public Simulation {
     return call().inspect(x, y, radius_m);
   }
   CandidateCount countCandidates() override { return call().countCandidates(); }
+  Inspection& inspection() override { return call().inspection(); }
   void enableStageTimes(bool on) override { call().enableStageTimes(on); }
   std::vector<StageTime> stageTimes() const override { return real_->stageTimes(); }
   uint32_t launchesPerTick() const override { return real_->launchesPerTick(); }

@@ -27,3 +27,8 @@ add_executable(failover_test ${here}/failover_test.cpp)
 target_compile_definitions(failover_test PRIVATE GW_ASSETS_DIR="${here}/../../assets")
 target_link_libraries(failover_test PRIVATE gw_program GTest::gtest_main)
 gtest_discover_tests(failover_test)
+
+add_executable(desync_test ${here}/desync/desync_finder_test.cpp)
+target_compile_definitions(desync_test PRIVATE GW_ASSETS_DIR="${here}/../../assets")
+target_link_libraries(desync_test PRIVATE gw_desync gw_tables GTest::gtest_main)
+gtest_discover_tests(desync_test)
