@@ -34,6 +34,7 @@ VARIANTS = (
     ("bitonic", "--sort bitonic", EXACT),
     ("full sort", "--sort full", EXACT),
     ("protected memory", "--protect-memory", EVERY),
+    ("heavy", "--heavy", EVERY),  # a snapshot is taken and restored after every tick
 )
 
 

@@ -93,7 +93,7 @@ def shortcomings(name, expectation, facts):
     """Why one verified replay is not good; nothing when it is."""
     if not facts["equal"]:
         first = facts.get("firstDifference", {}).get("tick")
-        cause = f"differs from tick {first} on" if first else facts.get("error") or facts.get("wrongResult")
+        cause = f"differs from tick {first} on" if first else facts.get("error") or facts.get("wrong")
         return [f"{name}: {cause}"]
     return [f"{name}: {sentence}; see replays/{name}.expect" for sentence in expectation.unmet(facts)]
 
