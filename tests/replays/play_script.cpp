@@ -5,7 +5,7 @@
 #include <string>
 
 #include "game/commands/run_factory.h"
-#include "script.h"
+#include "tests/replays/script.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Records that no hand makes, and that the rules must take all the same.
-#include "script.h"
+#include "tests/replays/script.h"
 
 namespace gw {
 

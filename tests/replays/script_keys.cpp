@@ -1,10 +1,10 @@
 // Keyboard and mouse events through the game's own input code; in practice its keys too.
 #include <memory>
 
-#include "events.h"
 #include "game/input/player_input.h"
 #include "game/practice.h"
-#include "script.h"
+#include "tests/replays/events.h"
+#include "tests/replays/script.h"
 
 namespace gw {
 

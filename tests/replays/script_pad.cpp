@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <memory>
 
-#include "events.h"
 #include "game/input/player_input.h"
-#include "script.h"
+#include "tests/replays/events.h"
+#include "tests/replays/script.h"
 
 namespace gw {
 
