@@ -3,6 +3,7 @@
 
     golden_replays_test.py GPUWARS UPDATE_REPLAYS
 """
+import os
 import subprocess
 import sys
 import tempfile
@@ -69,9 +70,13 @@ def planted(folder):
     yield "an unknown key", GOOD + "joy = 3\n", "short.expect:10: there is no key 'joy'"
     yield "an unknown ending", GOOD.replace("over = no", "over = soon"), "'over' is one of"
     yield "a key twice", GOOD + "shots = 3\n", "'shots' stands twice"
-    yield "a negative number", GOOD.replace("shots = 50", "shots = -50"), "takes a whole number from 1, not '-50'"
-    yield "a number that asks for nothing", GOOD.replace("shots = 50", "shots = 0"), "from 1, not '0'"
+    yield "a negative number", GOOD.replace("shots = 50", "shots = -50"), "takes a whole number from 1 or none, not '-50'"
+    yield "a number that asks for nothing", GOOD.replace("shots = 50", "shots = 0"), "from 1 or none, not '0'"
     yield "no value", GOOD + "shots\n", "'shots' has no value"
+    yield "none of what there is", GOOD.replace("shots = 50", "shots = none"), "shots must be none, is "
+    yield "inputs that are not there", GOOD + "halfTurns = 700\n", "halfTurns must be at least 700, is "
+    yield "places that were not visited", GOOD + "corners = 4\n", "corners must be at least 4, is "
+    yield "heaps that were not there", GOOD + "atOnePlace = 50\n", "atOnePlace must be at least 50, is "
     yield "nothing asked for", "# nothing\n", "'ticks' is missing"
 
 
@@ -89,6 +94,19 @@ def main():
         folder.want(folder.check(), "no .expect", "short.expect is missing")
         folder.want(folder.record(), "recording without .expect", "short.expect is missing")
 
+        expect.write_text(GOOD + "kills.compute = none\nkeyMoves_ticks = 1\natOnePlace = 1\n")
+        folder.want(folder.check(), "what is there, and what must not be")
+
+        # What reports tell is not hashed; golden.facts holds it.
+        told = folder.path / "golden.facts"
+        text = told.read_text()
+        expect.write_text(GOOD)
+        told.write_text(text.replace('"shots": ', '"shots": 1'))
+        folder.want(folder.check(), "reports that tell otherwise", "short: shots was 1")
+        told.unlink()
+        folder.want(folder.check(), "no golden.facts", "golden.facts does not tell of it")
+        told.write_text(text)
+
         # A new recording that shows less is refused, and the good one stays.
         expect.write_text(GOOD)
         kept = replay.read_bytes()
@@ -104,6 +122,18 @@ def main():
         folder.want(folder.record(), "recording with less sight", "attacking' is never taken")
         folder.write("golden.list", f"short | {OPTIONS} --with-waves-of pentagon\n")
         folder.want(folder.record(), "recording with waves of nobody", "pentagon")
+        for options, says in (("--with game.joy=3", "finds nothing to change"), ("--with joy", "takes game.KEY=NUMBER"),
+                              ("--with-sight", "--with-sight needs a value")):
+            folder.write("golden.list", f"short | {OPTIONS} {options}\n")
+            folder.want(folder.record(), f"recording with {options}", says)
+        folder.write("golden.list", f"short | {OPTIONS} | --broad-phase triangles\n")
+        folder.want(folder.check(), "an option of verify that there is not", "verify failed (2)")
+        folder.write("golden.list", f"short | {OPTIONS} | --broad-phase brute --threads 2\n")
+        folder.want(folder.check(), "options of verify")
+        folder.write("golden.list", "short | script\n")
+        folder.want(folder.check(), "a script without a name", "'script' needs a name")
+        folder.write("golden.list", f"short | {OPTIONS} | | \n")
+        folder.want(folder.check(), "too many columns", "golden.list:1: expected 'name | options'")
         folder.write("golden.list", f"short | {OPTIONS}\n")
 
         damaged = bytearray(kept)
@@ -114,6 +144,10 @@ def main():
         folder.write("stray.gwr", "")
         folder.want(folder.check(), "a replay that is not in the list", "golden.list does not name it")
         (folder.path / "stray.gwr").unlink()
+        os.truncate(replay, (16 << 20) + 1)
+        folder.want(folder.check(), "too many bytes", "more than 16777216; shorten some")
+        replay.write_bytes(kept)
+        folder.want(folder.check(), "and the good one again")
         folder.write("golden.list", "")
         folder.want(folder.check(), "an empty list", "names no replay")
         sys.exit(1 if folder.failures else 0)
