@@ -1,0 +1,31 @@
+#include "tests/fuzz/sealed_replay.h"
+
+#include <algorithm>
+
+#include "game/replay/byte_order.h"
+#include "game/replay/checksum.h"
+#include "game/replay/format.h"
+
+namespace gw::fuzz {
+
+using namespace replay_format;
+
+std::vector<uint8_t> sealed(std::span<const uint8_t> bytes) {
+  std::vector<uint8_t> file(bytes.begin(), bytes.end());
+  if (file.size() < kHeaderBytes) return file;
+  const std::span<const uint8_t> all(file);
+  putLittleAt(file, kOffsetChecksum, replayChecksum(all.first(kOffsetChecksum)));
+  for (size_t at = kHeaderBytes; file.size() - at >= kChunkHeaderBytes;) {
+    const size_t left = file.size() - at - kChunkHeaderBytes, length = getLittle<uint32_t>(all, at + 8);
+    if (length > left) break;
+    const size_t payload = at + kChunkHeaderBytes;
+    if (getLittle<uint32_t>(all, at) == kEndChunk && length == kEndBytes) {
+      putLittleAt(file, payload, replayChecksum(all.first(at)));
+    }
+    putLittleAt(file, at + 16, replayChecksum(all.subspan(payload, length)));
+    at = payload + length;
+  }
+  return file;
+}
+
+}  // namespace gw::fuzz
