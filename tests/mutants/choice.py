@@ -29,7 +29,7 @@ OTHER_WORLDS = re.compile(r"\b(?:Float3|Cell3)\b|firstSlabAt")  # three dimensio
 OF_GPU = ("bits.h", "exact_math.h", "fixed_sum.h", "neighbour.h", "ngrid_pack.cu", "philox.h", "row_gather.h",
           "scan_block.h", "scan_reduce.cu", "scan_reduce.h", "state_hash.h", "ngrid_rows.h", "ngrid_reach.h")
 KERNEL = re.compile(r"^struct (\w+)[^;{]*\{(?:(?!^\};).)*?\boperator\(\)", re.M | re.S)
-PER_GPU_FILE = 2
+PER_GPU_FILE = 1
 
 
 def left_out(file, function=""):
