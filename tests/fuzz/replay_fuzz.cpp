@@ -1,5 +1,5 @@
 // The replay's reader, with the bytes as they come and with checksums that fit them. What it takes, the writer writes
-// again, and that is read as the same.
+// again, and that is read as the same. What is whole of a file that was cut is read too.
 #include "game/replay/replay_reader.h"
 #include "game/replay/replay_writer.h"
 #include "tests/fuzz/fuzz_input.h"
@@ -8,7 +8,17 @@
 namespace gw::fuzz {
 namespace {
 
+void readPartial(std::span<const uint8_t> bytes) {
+  try {
+    const Replay replay = decodeReplay(bytes, "fuzz.gwr", SimulationVersions::any, Completeness::partial);
+    demand(replay.ticks() > 0 && replay.hashes.size() == replay.inputs.size(), "a part of a replay has no ticks");
+  } catch (const ReplayError& error) {
+    demandSentence(error.what());
+  }
+}
+
 void read(std::span<const uint8_t> bytes) {
+  readPartial(bytes);
   Replay replay;
   try {
     replay = decodeReplay(bytes, "fuzz.gwr", SimulationVersions::any);
@@ -18,7 +28,7 @@ void read(std::span<const uint8_t> bytes) {
   }
   const Replay again = decodeReplay(encodeReplay(replay), "fuzz.gwr", SimulationVersions::any);
   demand(again.header == replay.header && again.rules == replay.rules && again.inputs == replay.inputs &&
-             again.hashes == replay.hashes && again.result == replay.result,
+             again.hashes == replay.hashes && again.fieldHashes == replay.fieldHashes && again.result == replay.result,
          "a replay is another one once it has been written and read");
 }
 

@@ -37,6 +37,7 @@ void mutateInputs(Replay& replay, Chance& chance) {
               replay.inputs.begin() + ptrdiff_t(std::min(last, replay.inputs.size())), input);
   }
   replay.hashes.resize(replay.inputs.size());
+  replay.fieldHashes.clear();
 }
 
 void mutateHeader(Replay& replay, Chance& chance) {

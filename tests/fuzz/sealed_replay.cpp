@@ -15,14 +15,16 @@ std::vector<uint8_t> sealed(std::span<const uint8_t> bytes) {
   if (file.size() < kHeaderBytes) return file;
   const std::span<const uint8_t> all(file);
   putLittleAt(file, kOffsetChecksum, replayChecksum(all.first(kOffsetChecksum)));
-  for (size_t at = kHeaderBytes; file.size() - at >= kChunkHeaderBytes;) {
-    const size_t left = file.size() - at - kChunkHeaderBytes, length = getLittle<uint32_t>(all, at + 8);
+  const bool first = getLittle<uint16_t>(all, kOffsetMajor) == 1;
+  const size_t headerBytes = first ? kChunkHeaderBytes1 : kChunkHeaderBytes;
+  for (size_t at = kHeaderBytes; file.size() - at >= headerBytes;) {
+    const size_t left = file.size() - at - headerBytes, length = getLittle<uint32_t>(all, at + (first ? 8 : 12));
     if (length > left) break;
-    const size_t payload = at + kChunkHeaderBytes;
+    const size_t payload = at + headerBytes;
     if (getLittle<uint32_t>(all, at) == kEndChunk && length == kEndBytes) {
       putLittleAt(file, payload, replayChecksum(all.first(at)));
     }
-    putLittleAt(file, at + 16, replayChecksum(all.subspan(payload, length)));
+    putLittleAt(file, payload - 8, replayChecksum(all.subspan(payload, length)));
     at = payload + length;
   }
   return file;
