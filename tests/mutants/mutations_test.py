@@ -173,8 +173,9 @@ class Verdict(unittest.TestCase):
 
     def test_the_table_counts(self):
         second = self.mutants[1]
-        text = table(list(zip(self.mutants, [self.caught, self.survived], strict=True)), {second.name: "equal bits"})
+        text = table(list(zip(self.mutants, [self.caught, self.survived], strict=True)), {second.name: "equal bits"}, 2)
         self.assertIn("**1 of 2 caught**", text)
+        self.assertNotIn("not tried yet", text)
         self.assertIn("short, tick 7", text)
         self.assertIn("| equal bits |", text)
 

@@ -46,10 +46,12 @@ def escaped(text):
     return text.replace("|", "\\|")
 
 
-def table(found, reasons):
-    """docs/mutants.md as text."""
+def table(found, reasons, chosen):
+    """docs/mutants.md as text; `chosen`: how many there are to try."""
     caught = sum(outcome.caught for _, outcome in found)
     out = [HEAD, f"**{caught} of {len(found)} caught**; {len(found) - caught} survive, each for a reason given below.\n"]
+    if len(found) < chosen:
+        out.append(f"These are the first {len(found)} of {chosen} mutants that are chosen; the others are not tried yet.\n")
     out += ["\n| file | caught of tried |\n|---|---|\n"]
     tried = Counter(mutant.file for mutant, _ in found)
     good = Counter(mutant.file for mutant, outcome in found if outcome.caught)
