@@ -1,5 +1,6 @@
 #include "render/text_font.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -19,9 +20,20 @@ namespace {
 constexpr const char* kMetrics = "fonts/neon.json";
 constexpr int kMostAtlas_px = 8192;
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+// Bytes of the file may be part of why it is refused: the sentence stays on one line.
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string why) {
+  std::replace_if(
+      why.begin(), why.end(), [](char c) { return uint8_t(c) < 0x20 || c == 0x7f; }, '?');
   throw std::runtime_error("The font " + file.string() + " is damaged (" + why +
                            "): put it back from the GpuWars package, or make it again with tools/make_font.py.");
+}
+
+// A file beside the metrics: nothing of another folder, nothing that cannot be said on a line.
+bool isPlainName(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
+  });
 }
 
 float positive(const nlohmann::json& json, const char* key, const std::filesystem::path& file) {
@@ -72,7 +84,9 @@ TextFont loadTextFont(const std::filesystem::path& assets) {
   font.spacing = positive(json, "spacing", metricsFile);
 
   const auto image = json.find("image");
-  if (image == json.end() || !image->is_string()) refuse(metricsFile, "it names no image");
+  if (image == json.end() || !image->is_string() || !isPlainName(image->get<std::string>())) {
+    refuse(metricsFile, "it names no image");
+  }
   const std::string imageName = "fonts/" + image->get<std::string>();
   const std::string bytes = readAsset(assets, imageName);
   int width = 0, height = 0, channels = 0;

@@ -36,17 +36,6 @@ std::string oneLine(std::string text) {
   return text;
 }
 
-// As TOML, on one line if TOML can.
-std::string inlineText(const toml::node& node) {
-  std::ostringstream stream;
-  toml::array list;
-  node.visit([&](const auto& value) { list.push_back(value); });
-  stream << list;
-  const std::string text = stream.str();  // "[ value ]"
-  const size_t from = text.find_first_not_of(" \n", 1), to = text.find_last_not_of(" \n", text.size() - 2);
-  return text.substr(from, to - from + 1);
-}
-
 std::string keyText(std::string_view key) {
   const auto bare = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
@@ -62,6 +51,26 @@ std::string keyText(std::string_view key) {
     text += '"';
   }
   return text;
+}
+
+// As TOML, on one line if TOML can. Lists and tables are put together here: toml++ measures what it lays out, turning
+// the logarithm of a number, -2 for 0.01, into an unsigned one.
+std::string inlineText(const toml::node& node) {
+  std::string text;
+  const auto add = [&](const std::string& item) { text += (text.empty() ? " " : ", ") + item; };
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, value] : *table) add(fmt::format("{} = {}", keyText(key.str()), inlineText(value)));
+    return text.empty() ? "{}" : fmt::format("{{{} }}", text);
+  }
+  if (const toml::array* list = node.as_array()) {
+    for (const toml::node& item : *list) add(inlineText(item));
+    return text.empty() ? "[]" : fmt::format("[{} ]", text);
+  }
+  std::ostringstream stream;
+  node.visit([&](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) stream << value;
+  });
+  return stream.str();
 }
 
 class Reader {
