@@ -133,7 +133,8 @@ void CommandLineValues::read() const {
     const std::vector<std::string>& texts = entry.option->results();
     if (texts.size() > entry.most) {
       if (entry.option->get_positional()) {
-        throw UsageError(fmt::format("'{}' is one file too many; give just {}", texts[entry.most], entry.most == 1 ? "one" : "two"));
+        throw UsageError(
+            fmt::format("'{}' is one file too many; give just {}", texts[entry.most], entry.most == 1 ? "one" : "two"));
       }
       throw UsageError(fmt::format("'{}' is given more than once; keep one of them", entry.name));
     }
