@@ -15,7 +15,7 @@ from pathlib import Path
 from program import Failures, run, without_display
 
 FINE, DIFFER, USAGE, FILE, DESYNC = range(5)
-SMALL = ["--headless", "--device", "cpu", "--enemies", 512, "--autopilot", "expert"]
+SMALL = ["--headless", "--device", "cpu", "--autopilot", "expert", "--enemies", 512]
 
 
 def parts(target):
@@ -117,6 +117,17 @@ def main():
             says=["tick 100", "--to 99"])
     failures.check(short.read_bytes() == untouched, "and what stood there is untouched")
     accepted("trim up to before that", "trim", folder / "forged.gwr", "--out", short, "--to", 99, "--device", "cpu")
+
+    # A game that is over ends its replay, also where a file goes on after that.
+    over, longer = folder / "over.gwr", folder / "longer.gwr"
+    accepted("a game to its end", *SMALL[:-1], 8, "--mode", "swarm", "--ticks", 20000, "--record", over)
+    run(forge, over, longer, "longer")
+    accepted("trim of a file that goes on after it", "trim", longer, "--out", longer, "--device", "cpu")
+    stdout = accepted("ends where the game was over", "diff", over, longer)
+    failures.check(", over" in stdout, f"and says so: {stdout.strip()}")
+    accepted("trim before it", "trim", over, "--out", longer, "--to", 60, "--device", "cpu")
+    found = json.loads(accepted("is not over", "diff", over, longer, "--json", code=DIFFER))
+    failures.check(found["a"]["result"]["over"] and not found["b"]["result"]["over"], "in its final report")
 
     # Diff.
     stdout = accepted("diff of one run", "diff", target, folder / "same.gwr")
