@@ -8,7 +8,7 @@ play_packages=(
   g++ cmake ninja-build ccache
   libsdl2-dev libglew-dev libglm-dev libopenal-dev libegl-dev libgl-dev
   libegl1 libegl-mesa0 libgl1-mesa-dri
-  libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libxxhash-dev libfmt-dev libstb-dev libimgui-dev
+  libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libxxhash-dev zlib1g-dev libfmt-dev libstb-dev libimgui-dev
 )
 # The test frameworks, a virtual display with keys and screenshots, the second compiler, the tools of the gates.
 check_packages=(

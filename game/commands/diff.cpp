@@ -1,6 +1,7 @@
 // gpuwars diff A B: where two recorded runs part.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -49,13 +50,16 @@ void print(const ReplayDiff& diff, const Replay& a, const Replay& b, const Optio
     line("table", fmt::format("{} from line {} on: '{}' | '{}'", d.file, d.line, d.a, d.b));
   }
   if (diff.input) {
-    line("input", fmt::format("from tick {} on: {} | {}", diff.input->tick, inputText(diff.input->a),
-                              inputText(diff.input->b)));
+    line("input",
+         fmt::format("from tick {} on: {} | {}", diff.input->tick, inputText(diff.input->a), inputText(diff.input->b)));
   }
   if (diff.hash) {
-    line("hash",
-         fmt::format("from tick {} on: {} | {}", diff.hash->tick, hexadecimal(diff.hash->a), hexadecimal(diff.hash->b)));
+    line("hash", fmt::format("from tick {} on: {} | {}", diff.hash->tick, hexadecimal(diff.hash->a),
+                             hexadecimal(diff.hash->b)));
     line("fields", diff.fields ? fieldsText(*diff.fields) : "not recorded at or after that tick in both");
+  }
+  if (!diff.input && !diff.hash) {
+    line("equal", fmt::format("in the {} ticks that both have", withCommas(std::min(diff.ticks_a, diff.ticks_b))));
   }
   line("result", fmt::format("{} | {}", resultText(a), resultText(b)));
 }
@@ -98,8 +102,7 @@ Json toJson(const ReplayDiff& diff, const Replay& a, const Replay& b, const Opti
   }
   json["hash"] = nullptr;
   if (diff.hash) {
-    json["hash"] = {
-        {"tick", diff.hash->tick}, {"a", hexadecimal(diff.hash->a)}, {"b", hexadecimal(diff.hash->b)}};
+    json["hash"] = {{"tick", diff.hash->tick}, {"a", hexadecimal(diff.hash->a)}, {"b", hexadecimal(diff.hash->b)}};
   }
   json["fields"] = nullptr;
   if (diff.fields) {

@@ -1,4 +1,5 @@
-// gpuwars trim FILE --out OUT: run a replay again up to a tick, and write what was run as a whole replay of today's format.
+// gpuwars trim FILE --out OUT: run a replay again up to a tick, and write what was run as a whole replay of today's
+// format.
 #include <algorithm>
 #include <cstdio>
 

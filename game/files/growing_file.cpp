@@ -17,8 +17,7 @@ GrowingFile::~GrowingFile() {
 bool GrowingFile::append(std::span<const uint8_t> bytes) {
   if (part_.descriptor < 0) return false;
   for (size_t done = 0; done < bytes.size();) {
-    const ssize_t written =
-        pwrite(part_.descriptor, bytes.data() + done, bytes.size() - done, off_t(length_ + done));
+    const ssize_t written = pwrite(part_.descriptor, bytes.data() + done, bytes.size() - done, off_t(length_ + done));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
       // What does not fit is taken back; if even that fails the next try writes over it.

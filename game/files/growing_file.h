@@ -19,8 +19,8 @@ class GrowingFile {
   GrowingFile& operator=(const GrowingFile&) = delete;
 
   // Hands the bytes to the system, all or none; false when the disk takes no more, and the same bytes may be tried
-  // again later. They outlive the program from then on. Nothing is synced to the disk, which would stall a tick: a power cut
-  // may lose what the system had not written back yet. Never allocates.
+  // again later. They outlive the program from then on. Nothing is synced to the disk, which would stall a tick: a
+  // power cut may lose what the system had not written back yet. Never allocates.
   bool append(std::span<const uint8_t> bytes);
 
   void remove();

@@ -1,5 +1,5 @@
-// The chunks of a replay file, one after the other: where each begins and ends, that it is as it was written, and what it
-// holds when inflated. Knows the framing of majors 1 and 2, and no kind of chunk.
+// The chunks of a replay file, one after the other: where each begins and ends, that it is as it was written, and what
+// it holds when inflated. Knows the framing of majors 1 and 2, and no kind of chunk.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ class ChunkFrames {
   // The next chunk, its checksum compared; none where the file ends before that chunk does. Throws ReplayError.
   std::optional<Chunk> next();
 
-  // What the chunk holds, until the next call. Inflates what is compressed: so ask for chunks that are known, once their
-  // place is found right.
+  // What the chunk holds, until the next call. Inflates what is compressed: so ask for chunks that are known, once
+  // their place is found right.
   std::span<const uint8_t> payload(const Chunk& chunk);
 
   // After next() gave none: how the file ends, as part of a sentence.

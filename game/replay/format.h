@@ -33,8 +33,8 @@ inline constexpr size_t kMaxOptionsBytes = 4096;
 inline constexpr size_t kHeaderBytes = 128;
 inline constexpr size_t kChunkHeaderBytes = 32;
 inline constexpr size_t kChunkHeaderBytes1 = 24;  // of major 1, which knows no compression
-inline constexpr size_t kRunBytes = 12;  // one run of equal inputs
-inline constexpr size_t kHashBytes = 8;  // one tick's hash
+inline constexpr size_t kRunBytes = 12;           // one run of equal inputs
+inline constexpr size_t kHashBytes = 8;           // one tick's hash
 inline constexpr size_t kFinalBytes = 24;
 inline constexpr size_t kEndBytes = 8;
 // More fields than this program knows are read over; so many more that it costs nothing to look at.

@@ -57,8 +57,7 @@ bool Recorder::append(const TickReport& report) {
   replay_.inputs.push_back(report.input);
   replay_.hashes.push_back(report.hash);
   if (ticks() % kFieldHashesEvery_ticks == 0) {
-    std::copy(std::begin(report.fieldHashes), std::end(report.fieldHashes),
-              replay_.fieldHashes.emplace_back().begin());
+    std::copy(std::begin(report.fieldHashes), std::end(report.fieldHashes), replay_.fieldHashes.emplace_back().begin());
   }
   // Two blocks a second catch up with a disk that was full for a while, and never hold a tick up for long.
   if (ticks() % kTicksPerGrowingBlock == 0) {

@@ -1,5 +1,6 @@
 // Collects a run tick by tick and writes its replay at the end. What is collected goes once a second to a file that
-// grows beside the target, and that a later 'gpuwars replay' plays: a program that dies loses a second of the run at most.
+// grows beside the target, and that a later 'gpuwars replay' plays: a program that dies loses a second of the run at
+// most.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +23,9 @@ class Recorder {
   Recorder(Recorder&&) = default;
   Recorder& operator=(Recorder&&) = delete;
 
-  // The next tick: its input, as used, and the hashes after it. False, and nothing recorded, after kMaxTicks: finish then
-  // with the report of the last recorded tick. Never allocates. A full disk is no error here: the growing file goes on when
-  // there is room again, and finish() says what could not be written.
+  // The next tick: its input, as used, and the hashes after it. False, and nothing recorded, after kMaxTicks: finish
+  // then with the report of the last recorded tick. Never allocates. A full disk is no error here: the growing file
+  // goes on when there is room again, and finish() says what could not be written.
   bool append(const TickReport& report);
 
   // Writes the file and removes the growing one. Throws FileError when that fails or no tick was recorded; what stood
@@ -45,9 +46,9 @@ class Recorder {
 
   std::filesystem::path path_;
   Replay replay_;
-  std::unique_ptr<GrowingFile> growing_;        // none once finished or abandoned, and in what was moved from
+  std::unique_ptr<GrowingFile> growing_;          // none once finished or abandoned, and in what was moved from
   std::vector<uint8_t> start_, block_, payload_;  // bytes on their way; with all the room they need
-  uint32_t flushed_ = 0;                        // ticks in the growing file
+  uint32_t flushed_ = 0;                          // ticks in the growing file
 };
 
 }  // namespace gw

@@ -67,8 +67,9 @@ class Decoder {
         return readEnd(chunk);
       default:
         if (chunk.flags & kRequired) {
-          refusal_.refuse(fmt::format("the replay needs chunk {}, which this program does not know; use a newer GpuWars",
-                                      chunkName(chunk.kind)));
+          refusal_.refuse(
+              fmt::format("the replay needs chunk {}, which this program does not know; use a newer GpuWars",
+                          chunkName(chunk.kind)));
         }
     }
   }
@@ -196,13 +197,14 @@ class Decoder {
     const size_t ticks = std::min(replay_.inputs.size(), replay_.hashes.size());
     if (!haveTables_ || ticks == 0) {
       if (!header_.growing()) damaged(frames_.ending());
-      refusal_.refuse("the recording was cut short within its first second, and nothing can be played; delete the file");
+      refusal_.refuse(
+          "the recording was cut short within its first second, and nothing can be played; delete the file");
     }
     if (completeness_ == Completeness::whole) {
-      refusal_.refuse(
-          fmt::format("the replay ends after tick {0} without its end mark; watch it with 'gpuwars replay {1}', or make "
-                      "it whole with 'gpuwars trim {1} --out {1}'",
-                      ticks, refusal_.name()));
+      refusal_.refuse(fmt::format(
+          "the replay ends after tick {0} without its end mark; watch it with 'gpuwars replay {1}', or make "
+          "it whole with 'gpuwars trim {1} --out NEW.gwr'",
+          ticks, refusal_.name()));
     }
     replay_.inputs.resize(ticks);
     replay_.hashes.resize(ticks);

@@ -17,9 +17,9 @@ struct NamedDifference {
 };
 
 struct TableDifference {
-  std::string file;     // "enemies.toml"
-  uint32_t line = 0;    // the first that differs, from 1
-  std::string a, b;     // the line; empty where a table has ended
+  std::string file;   // "enemies.toml"
+  uint32_t line = 0;  // the first that differs, from 1
+  std::string a, b;   // the line; empty where a table has ended
 };
 
 struct InputDifference {
@@ -42,7 +42,7 @@ struct ReplayDiff {
   bool whole_a = true, whole_b = true;
   std::vector<NamedDifference> header;  // whatever decides the game, and who played
   std::vector<TableDifference> tables;
-  std::optional<InputDifference> input;    // both look at the ticks that both have
+  std::optional<InputDifference> input;  // both look at the ticks that both have
   std::optional<HashDifference> hash;
   std::optional<FieldsDifference> fields;  // none: both equal, or one file has none there
   std::vector<NamedDifference> result;     // of whole files

@@ -24,9 +24,9 @@ void checkKind(Bytes file, const ReplayRefusal& refusal) {
     }
     const auto isText = [](uint8_t c) { return c >= 0x20 || c == '\n' || c == '\r' || c == '\t'; };
     const Bytes start = file.first(std::min<size_t>(file.size(), 512));
-    refusal.refuse(fmt::format("this is {}, not a replay; name a file that --record wrote",
-                               std::all_of(start.begin(), start.end(), isText) ? "a text file"
-                                                                               : "a file of another kind"));
+    refusal.refuse(
+        fmt::format("this is {}, not a replay; name a file that --record wrote",
+                    std::all_of(start.begin(), start.end(), isText) ? "a text file" : "a file of another kind"));
   }
   if (file.size() < kHeaderBytes) refusal.damaged("it ends within its header");
 }

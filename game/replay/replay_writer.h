@@ -9,8 +9,9 @@
 
 namespace gw {
 
-// The bytes of the file. Equal replays give equal bytes with the same zlib. Throws std::invalid_argument on a replay that
-// no reader would take as whole (no tick, no end, inputs and hashes of different counts, a number out of its range).
+// The bytes of the file. Equal replays give equal bytes with the same zlib. Throws std::invalid_argument on a replay
+// that no reader would take as whole (no tick, no end, inputs and hashes of different counts, a number out of its
+// range).
 std::vector<uint8_t> encodeReplay(const Replay& replay);
 
 // Throws FileError when it cannot be written; a file that stood at `path` is then untouched.

@@ -1,5 +1,6 @@
-// forge_replay IN OUT hash TICK | input TICK | score
-// Writes a replay that is whole and yet wrong in one place, for tests of the checker.
+// forge_replay IN OUT hash TICK | input TICK | score | longer
+// Writes a replay that is whole and yet wrong in one place, for tests of the checker. Longer: 30 ticks more, in which
+// nothing happens.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -18,6 +19,11 @@ int main(int argc, char** argv) {
     if (what == "hash") replay.hashes[tick - 1] ^= 1;
     if (what == "input") replay.inputs[tick - 1].move_x = int16_t(replay.inputs[tick - 1].move_x > 0 ? -32767 : 32767);
     if (what == "score") ++replay.result.score;
+    if (what == "longer") {
+      replay.inputs.resize(replay.inputs.size() + 30);
+      replay.hashes.resize(replay.hashes.size() + 30, replay.hashes.back());
+      replay.fieldHashes.clear();  // those of the added ticks are not known here
+    }
     gw::writeReplay(argv[2], replay);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

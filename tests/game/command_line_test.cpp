@@ -102,6 +102,25 @@ TEST(CommandLine, VerifyTakesFiles) {
   EXPECT_EQ(accepted("verify --jobs=3 a").jobs, 3u);
 }
 
+TEST(CommandLine, TrimTakesAFileAndWhereToWrite) {
+  const Options o = accepted("trim run.gwr --out new.gwr --to 600 --device cpu --threads 2 --broad-phase brute");
+  EXPECT_EQ(o.verb, Verb::trim);
+  EXPECT_EQ(o.files, (std::vector<std::filesystem::path>{"run.gwr"}));
+  EXPECT_EQ(o.outPath, "new.gwr");
+  EXPECT_EQ(o.toTick, 600u);
+  EXPECT_EQ(o.threads, 2u);
+  EXPECT_EQ(accepted("trim a --out a").toTick, 0u);
+}
+
+TEST(CommandLine, DiffTakesTwoFiles) {
+  const Options o = accepted("diff a.gwr b.gwr --json");
+  EXPECT_EQ(o.verb, Verb::diff);
+  EXPECT_EQ(o.files, (std::vector<std::filesystem::path>{"a.gwr", "b.gwr"}));
+  EXPECT_EQ(o.jsonPath, "-");
+  EXPECT_EQ(accepted("diff a b").jsonPath, "");
+  EXPECT_EQ(accepted("diff --json=out a b").jsonPath, "out");
+}
+
 TEST(CommandLine, TakesGatherAndSort) {
   const Options none = accepted("");
   EXPECT_FALSE(none.gather || none.sort);
@@ -252,12 +271,21 @@ const Refusal kRefusals[] = {
      "'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'"},
     // Verbs, files and options in the wrong place.
     {"run.gwr",
-     "'run.gwr' is not a verb; choose play, replay, verify or devices (to watch a file: 'gpuwars replay "
-     "FILE')"},
+     "'run.gwr' is not a verb; choose play, replay, verify, trim, diff or devices (to watch a file: "
+     "'gpuwars replay FILE')"},
     {"play run.gwr", "'run.gwr' is not understood; 'gpuwars play' takes options only"},
     {"devices cpu", "'cpu' is not understood; 'gpuwars devices' takes options only"},
     {"replay", "'gpuwars replay' needs a replay; name the file"},
     {"verify --json out", "'gpuwars verify' needs a replay; name the file"},
+    {"trim --out b", "'gpuwars trim' needs a replay; name the file"},
+    {"trim a", "'gpuwars trim' needs to know what to write; add '--out FILE'"},
+    {"trim a --out b --to 0", "'--to 0' does not work; give a whole number from 1 to 864,000"},
+    {"trim a b --out c", "'b' is one file too many; give just one"},
+    {"diff", "'gpuwars diff' needs a replay; name the file"},
+    {"diff a", "'gpuwars diff' compares two replays; name both files"},
+    {"diff --json a b", "'gpuwars diff' compares two replays; name both files"},
+    {"diff a b c", "'c' is one file too many; give just two"},
+    {"diff a b --threads 1", "'--threads' belongs to 'gpuwars play', not to 'gpuwars diff'; leave it out"},
     {"replay a b", "'b' is one file too many; give just one"},
     {"replay a --seed 3", "'--seed' belongs to 'gpuwars play', not to 'gpuwars replay'; leave it out"},
     {"verify a --autopilot expert", "'--autopilot' belongs to 'gpuwars play', not to 'gpuwars verify'; leave it out"},
@@ -303,10 +331,10 @@ TEST(CommandLine, EmptyAndOddArgumentsAreRefused) {
 
 // Nothing that a user can type may throw or crash.
 TEST(CommandLine, SurvivesAnyThreeWords) {
-  const std::vector<std::string> words = {"play",       "verify",    "replay", "devices", "--",     "-",        "",
-                                          "--=",        "=",         "-j",     "-j=",     "--json", "--seed",   "--h",
-                                          "--seed=",    "[a,b]",     "[]",     "%%",      "-5",     "\x01\xff", "@x",
-                                          "--headless", "--ticks=1", "a",      "{}",      "-hv"};
+  const std::vector<std::string> words = {"trim",     "diff", "play",       "verify",    "replay", "devices", "--",
+                                          "-",        "",     "--=",        "=",         "-j",     "-j=",     "--json",
+                                          "--seed",   "--h",  "--seed=",    "[a,b]",     "[]",     "%%",      "-5",
+                                          "\x01\xff", "@x",   "--headless", "--ticks=1", "a",      "{}",      "-hv"};
   for (const std::string& a : words) {
     for (const std::string& b : words) {
       for (const std::string& c : words) {

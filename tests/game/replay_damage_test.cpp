@@ -69,7 +69,10 @@ TEST(ReplayDamage, TrailingBytesAreRefused) {
 
 TEST(ReplayDamage, MissingEndIsRefused) {
   const Bytes file(sampleFile().begin(), sampleFile().end() - ptrdiff_t(kChunkHeaderBytes + kEndBytes));
-  EXPECT_TRUE(contains(refusalOf(file), "ends before its END! chunk")) << refusalOf(file);
+  EXPECT_EQ(
+      refusalOf(file),
+      "x.gwr: the replay ends after tick 12 without its end mark; watch it with 'gpuwars replay x.gwr', or make it "
+      "whole with 'gpuwars trim x.gwr --out NEW.gwr'");
 }
 
 TEST(ReplayDamage, ForeignFilesAreNamedAsSuch) {
@@ -85,7 +88,7 @@ TEST(ReplayDamage, ForeignFilesAreNamedAsSuch) {
 TEST(ReplayDamage, NewerFormatIsRefusedByName) {
   ForgedFile file(sampleFile());
   file.setHeader16(kOffsetMajor, kReplayMajor + 1);
-  EXPECT_TRUE(contains(refusalOf(file.seal()), "format 2.1, newer than this program's 1.1")) << refusalOf(file.seal());
+  EXPECT_TRUE(contains(refusalOf(file.seal()), "format 3.0, newer than this program's 2.0")) << refusalOf(file.seal());
 }
 
 TEST(ReplayDamage, NewerMinorIsAccepted) {
@@ -108,6 +111,9 @@ TEST(ReplayDamage, UnknownChunksAreSkippedWhenOptionalAndRefusedWhenRequired) {
   ForgedFile file(sampleFile());
   file.chunks.insert(file.chunks.begin() + 1, {fourcc('N', 'O', 'T', 'E'), 0, 7, {1, 2, 3}, 3});
   EXPECT_EQ(refusalOf(file.seal()), "");
+  file.chunks[1].payload = Bytes(900, 7);  // nobody inflates what nobody reads
+  file.chunks[1].stored = Bytes{1, 2, 3};
+  EXPECT_EQ(refusalOf(file.seal()), "");
   file.chunks[1].flags = kRequired;
   EXPECT_TRUE(contains(refusalOf(file.seal()), "needs chunk NOTE")) << refusalOf(file.seal());
 }
@@ -122,7 +128,11 @@ struct Forgery {
 
 const Forgery kForgeries[] = {
     {"HugeLength", [](ForgedFile& f) { f.chunk(kTablesChunk).claimedLength = 0xffffffff; }, "claims more than"},
-    {"LargestLength", [](ForgedFile& f) { f.chunk(kHashesChunk).claimedLength = kMaxChunkBytes; }, "ends within chunk"},
+    {"LargestLength", [](ForgedFile& f) { f.chunk(kTablesChunk).claimedLength = kMaxChunkBytes; }, "ends within chunk"},
+    {"LongerStoredThanItIs", [](ForgedFile& f) { f.chunk(kTablesChunk).claimedStored = 1000; }, "longer stored than"},
+    {"NotCompressed",
+     [](ForgedFile& f) { f.chunk(kInputsChunk).claimedLength += 12, f.chunks[2].stored = Bytes(9, 3); },
+     "cannot be inflated"},
     {"OverlappingLength", [](ForgedFile& f) { f.chunk(kInputsChunk).claimedLength += 24; }, "checksum of chunk INPT"},
     {"ShortLength", [](ForgedFile& f) { f.chunk(kInputsChunk).claimedLength -= 12; }, "checksum of chunk INPT"},
     {"ZeroLength",
@@ -156,9 +166,25 @@ const Forgery kForgeries[] = {
     {"MoreTicks", [](ForgedFile& f) { f.setHeader32(kOffsetTicks, 13); }, "inputs are missing"},
     {"FewerTicks", [](ForgedFile& f) { f.setHeader32(kOffsetTicks, 11); }, "more inputs than ticks"},
     {"NoTicks", [](ForgedFile& f) { f.setHeader32(kOffsetTicks, 0); }, "number of ticks"},
-    {"AbsurdTicks", [](ForgedFile& f) { f.setHeader32(kOffsetTicks, kMaxTicks); }, "number of ticks"},
+    {"AbsurdTicks", [](ForgedFile& f) { f.setHeader32(kOffsetTicks, kMaxTicks + 1); }, "number of ticks"},
+    {"TooManyTicks", [](ForgedFile& f) { f.setHeader32(kOffsetTicks, kMaxTicks); }, "inputs are missing"},
     {"ManyChunks", [](ForgedFile& f) { f.setHeader32(kOffsetChunks, 0xffffffff); }, "number of chunks", false},
     {"FewerChunks", [](ForgedFile& f) { f.setHeader32(kOffsetChunks, 5); }, "END! chunk is not where", false},
+    {"NoChunks", [](ForgedFile& f) { f.setHeader32(kOffsetChunks, 0); }, "number of chunks", false},
+    {"GrowingWithAnEnd", [](ForgedFile& f) { f.setHeader32(kOffsetChunks, 0), f.setHeader32(kOffsetTicks, 0); },
+     "END! chunk is not where", false},
+    {"FieldsOfNothing",
+     [](ForgedFile& f) {
+       f.chunks.push_back({kFieldHashesChunk, 0, 60, Bytes(4, 0), 4});
+     },
+     "number of fields"},
+    {"FieldsWithoutTicks",
+     [](ForgedFile& f) {
+       Bytes payload(4 + kHashFields * kHashBytes);
+       putLittleAt(payload, 0, kHashFields);
+       f.chunks.push_back({kFieldHashesChunk, 0, 60, payload, uint32_t(payload.size())});
+     },
+     "more hashes by field than ticks"},
     {"UnknownMode", [](ForgedFile& f) { f.setHeader32(kOffsetMode, 4); }, "mode is unknown"},
     {"NoEnemies", [](ForgedFile& f) { f.setHeader32(kOffsetEnemies, 0); }, "number of enemies"},
     {"AbsurdEnemies", [](ForgedFile& f) { f.setHeader32(kOffsetEnemies, kMaxEnemies + 1); }, "number of enemies"},
@@ -167,7 +193,7 @@ const Forgery kForgeries[] = {
     {"UnknownSort", [](ForgedFile& f) { f.setHeader32(kOffsetSort, 2); }, "sort is unknown"},
     {"ExactOddEven", [](ForgedFile& f) { f.setHeader32(kOffsetGather, 0); }, "gather and sort do not go together"},
     {"OtherHeaderLength", [](ForgedFile& f) { f.setHeader32(kOffsetHeaderBytes, 64); }, "another length"},
-    {"FormatZero", [](ForgedFile& f) { f.setHeader16(kOffsetMajor, 0); }, "format 0.1"},
+    {"FormatZero", [](ForgedFile& f) { f.setHeader16(kOffsetMajor, 0); }, "format 0.0"},
     {"UnknownFlags", [](ForgedFile& f) { f.chunk(kFinalChunk).flags = 3; }, "unknown flags"},
     {"OptionalInputs", [](ForgedFile& f) { f.chunk(kInputsChunk).flags = 0; }, "mislabelled"},
     {"TwoFinals", [](ForgedFile& f) { f.chunks.push_back(f.chunk(kFinalChunk)); }, "stands in it twice"},

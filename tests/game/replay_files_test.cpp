@@ -1,5 +1,4 @@
-// Replays on disk: written whole or not at all, refused early where they cannot be written, and the
-// recorder that collects them.
+// Replays on disk: written whole or not at all, and refused early where they cannot be written.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -9,7 +8,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "game/replay/recorder.h"
 #include "game/replay/replay_reader.h"
 #include "game/replay/replay_writer.h"
 #include "tests/game/replay_samples.h"
@@ -63,8 +61,6 @@ class ReplayFiles : public ::testing::Test {
   static bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
   }
-  Recorder recorder(const char* name) const { return {folder_ / name, sampleReplay().header, sampleReplay().rules}; }
-
   fs::path folder_;
 };
 
@@ -102,7 +98,6 @@ TEST_F(ReplayFiles, RefuseReadOnlyFolders) {
   const WithoutPrivileges now;
   if (!now.dropped()) GTEST_SKIP() << "root may write everywhere";
   EXPECT_TRUE(contains(writing(folder_ / "a.gwr"), "Permission denied; choose a folder"));
-  EXPECT_TRUE(contains(refusal([&] { recorder("a.gwr"); }), "Permission denied"));
 }
 
 TEST_F(ReplayFiles, RefuseWriteProtectedFiles) {
@@ -144,59 +139,6 @@ TEST_F(ReplayFiles, ReaderNamesWhatIsNoReplay) {
   std::ofstream(folder_ / "huge.gwr");
   fs::resize_file(folder_ / "huge.gwr", uint64_t(1) << 40);  // sparse
   EXPECT_TRUE(contains(reading(folder_ / "huge.gwr"), "larger than 64 MiB"));
-}
-
-TEST_F(ReplayFiles, RecorderWritesWhatItWasGiven) {
-  const Replay sample = sampleReplay();
-  Recorder recording = recorder("run.gwr");
-  EXPECT_EQ(filesThere(), 0u);
-  for (size_t i = 0; i < sample.inputs.size(); ++i) EXPECT_TRUE(recording.append(sample.inputs[i], sample.hashes[i]));
-  EXPECT_EQ(recording.ticks(), 12u);
-  recording.finish(sample.result);
-  const Replay read = readReplay(folder_ / "run.gwr");
-  EXPECT_EQ(read.header, sample.header);
-  EXPECT_EQ(read.inputs, sample.inputs);
-  EXPECT_EQ(read.hashes, sample.hashes);
-  EXPECT_EQ(read.result, sample.result);
-  EXPECT_THROW(recording.finish(sample.result), std::logic_error);
-}
-
-TEST_F(ReplayFiles, RecorderRefusesBadPathsAtOnce) {
-  EXPECT_TRUE(contains(refusal([&] { recorder("none/run.gwr"); }), "cannot be written"));
-}
-
-TEST_F(ReplayFiles, AbandonedRecordingsLeaveNothing) {
-  {
-    Recorder recording = recorder("run.gwr");
-    recording.append({}, 1);
-    recording.abandon();
-    EXPECT_FALSE(recording.append({}, 2));
-    EXPECT_THROW(recording.finish({}), std::logic_error);
-  }
-  { recorder("other.gwr").append({}, 1); }
-  EXPECT_EQ(filesThere(), 0u);
-}
-
-TEST_F(ReplayFiles, RecordingsWithoutATickAreNotWritten) {
-  EXPECT_TRUE(contains(refusal([&] { recorder("run.gwr").finish({}); }), "not a single tick"));
-  EXPECT_EQ(filesThere(), 0u);
-}
-
-TEST_F(ReplayFiles, RecordingsStopAtFourHours) {
-  Recorder recording = recorder("run.gwr");
-  for (uint32_t i = 0; i < kMaxTicks; ++i) ASSERT_TRUE(recording.append({}, i));
-  EXPECT_FALSE(recording.append({}, 0));
-  recording.finish({});
-  EXPECT_EQ(readReplay(folder_ / "run.gwr").ticks(), kMaxTicks);
-}
-
-TEST_F(ReplayFiles, RecorderCutsLongOptionTexts) {
-  ReplayHeader header = sampleReplay().header;
-  header.options.assign(100'000, 'x');
-  Recorder recording(folder_ / "run.gwr", header, sampleReplay().rules);
-  recording.append({}, 1);
-  recording.finish({});
-  EXPECT_EQ(readReplay(folder_ / "run.gwr").header.options.size(), replay_format::kMaxOptionsBytes);
 }
 
 }  // namespace

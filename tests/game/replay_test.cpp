@@ -12,12 +12,6 @@ namespace {
 
 using namespace replay_format;
 
-bool sameContent(const Replay& a, const Replay& b) {
-  return a.header == b.header && a.inputs == b.inputs && a.hashes == b.hashes && a.result == b.result &&
-         a.rules.game.text == b.rules.game.text && a.rules.enemies.text == b.rules.enemies.text &&
-         a.rules.waves.text == b.rules.waves.text;
-}
-
 Replay throughBytes(const Replay& replay) {
   return decodeReplay(encodeReplay(replay), "x.gwr");
 }
@@ -30,6 +24,8 @@ size_t chunksOf(const Bytes& file, uint32_t kind) {
 
 TEST(Replay, SurvivesTheWayThroughBytes) {
   EXPECT_TRUE(sameContent(throughBytes(sampleReplay()), sampleReplay()));
+  EXPECT_TRUE(sameContent(throughBytes(longerReplay()), longerReplay()));
+  EXPECT_TRUE(throughBytes(longerReplay()).whole);
 }
 
 TEST(Replay, NamesEmbeddedTablesAfterTheFile) {
@@ -51,7 +47,7 @@ TEST(Replay, KeepsHowTheRunEnded) {
 
 // Files of format 1.0 have zeros where gather and sort stand now.
 TEST(Replay, OlderFilesAreExact) {
-  ForgedFile old(encodeReplay(sampleReplay()));
+  ForgedFile old(format1(sampleReplay()));
   old.setHeader16(kOffsetMinor, 0);
   old.setHeader32(kOffsetGather, 0);
   old.setHeader32(kOffsetSort, 0);
@@ -72,6 +68,15 @@ TEST(Replay, EveryGatherAndSortThatGoTogetherSurvive) {
   }
 }
 
+TEST(Replay, FilesOfFormat1AreRead) {
+  Replay replay = longerReplay();
+  const Bytes file = format1(replay);
+  const Bytes start = {'G', 'W', 'R', 'P', '\r', '\n', 0x1a, '\n', 1, 0, 1, 0};
+  EXPECT_EQ(Bytes(file.begin(), file.begin() + 12), start);
+  replay.fieldHashes.clear();  // it had none
+  EXPECT_TRUE(sameContent(decodeReplay(file, "old.gwr"), replay));
+}
+
 RC_GTEST_PROP(Replay, SurvivesWhateverWasPlayed, ()) {
   const auto stick = rc::gen::inRange<int>(-kStickFull, kStickFull + 1);
   const auto runs = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::pair<uint32_t, uint32_t>>>(
@@ -90,10 +95,17 @@ RC_GTEST_PROP(Replay, SurvivesWhateverWasPlayed, ()) {
       replay.hashes.push_back(replay.inputs.size() * 0x9e3779b97f4a7c15);
     }
   }
+  if (*rc::gen::arbitrary<bool>()) {
+    replay.fieldHashes.resize(replay.inputs.size() / kFieldHashesEvery_ticks);
+    for (FieldHashes& fields : replay.fieldHashes) fields = *rc::gen::arbitrary<FieldHashes>();
+  }
   replay.header.seed = *rc::gen::arbitrary<uint64_t>();
+  replay.header.mode = Mode(*rc::gen::inRange<uint32_t>(0, 4));
+  replay.header.autopilot = Autopilot(*rc::gen::inRange<uint32_t>(0, 3));
   replay.header.enemies = *rc::gen::inRange<uint32_t>(1, kMaxEnemies + 1);
   replay.header.options = *rc::gen::arbitrary<std::string>();
   replay.rules.game.text = *rc::gen::arbitrary<std::string>();
+  replay.rules.waves.text = std::string(*rc::gen::inRange<size_t>(0, 4096), *rc::gen::arbitrary<char>());
   replay.result.score = *rc::gen::arbitrary<uint64_t>();
   RC_ASSERT(sameContent(throughBytes(replay), replay));
   RC_ASSERT(encodeReplay(throughBytes(replay)) == encodeReplay(replay));
@@ -101,10 +113,34 @@ RC_GTEST_PROP(Replay, SurvivesWhateverWasPlayed, ()) {
 
 TEST(Replay, EqualInputsTakeOneRun) {
   Replay replay = sampleReplay();
-  const size_t before = encodeReplay(replay).size();
+  const size_t before = ForgedFile(encodeReplay(replay)).chunk(kInputsChunk).payload.size();
   replay.inputs.insert(replay.inputs.end(), 1000, replay.inputs.back());
   replay.hashes.insert(replay.hashes.end(), 1000, 1);
-  EXPECT_EQ(encodeReplay(replay).size(), before + 1000 * kHashBytes);
+  EXPECT_EQ(ForgedFile(encodeReplay(replay)).chunk(kInputsChunk).payload.size(), before);
+}
+
+// A minute each, so that a cut costs no more.
+TEST(Replay, LiesInBlocksOfTicks) {
+  Replay replay = longerReplay();
+  while (replay.inputs.size() < 2 * kTicksPerBlock + 1) {
+    replay.inputs.push_back({});
+    replay.hashes.push_back(replay.inputs.size());
+  }
+  replay.fieldHashes.resize(replay.inputs.size() / kFieldHashesEvery_ticks);
+  std::string order;
+  for (const ForgedChunk& c : ForgedFile(encodeReplay(replay)).chunks) order += char(c.kind);
+  EXPECT_EQ(order, "OTIHFIHFIHF");  // the last block has no hashes by field, so the last F is FINL
+}
+
+TEST(Replay, CompressesWhatGetsSmallerByIt) {
+  const ForgedFile file(encodeReplay(longerReplay()));
+  for (const ForgedChunk& c : file.chunks) {
+    const bool compressible = c.kind == kOptionsChunk || c.kind == kTablesChunk || c.kind == kInputsChunk;
+    EXPECT_EQ(c.stored.has_value(), compressible) << c.kind;
+    if (c.stored) {
+      EXPECT_LT(c.stored->size(), c.payload.size());
+    }
+  }
 }
 
 // The longest run with an input that changes every tick: everything is split into chunks, all within limits.
@@ -125,14 +161,17 @@ TEST(Replay, HoldsFourHoursOfChangingInput) {
 
 TEST(Replay, LiesInTheFileAsDocumented) {
   const Bytes file = encodeReplay(sampleReplay());
-  const Bytes start = {'G', 'W', 'R', 'P', '\r', '\n', 0x1a, '\n', 1, 0, 1, 0, 128, 0, 0, 0};
+  const Bytes start = {'G', 'W', 'R', 'P', '\r', '\n', 0x1a, '\n', 2, 0, 0, 0, 128, 0, 0, 0};
   EXPECT_EQ(Bytes(file.begin(), file.begin() + 16), start);
   EXPECT_EQ(getLittle<uint64_t>(file, 24), 0x0123456789abcdefu);
   EXPECT_EQ(getLittle<uint32_t>(file, 44), 12u);
   EXPECT_EQ(getLittle<uint32_t>(file, 52), 2u);  // fixed
   EXPECT_EQ(getLittle<uint32_t>(file, 56), 1u);  // odd-even
   EXPECT_EQ(std::string(file.begin() + 128, file.begin() + 132), "OPTS");
-  EXPECT_EQ(std::string(file.end() - 32, file.end() - 28), "END!");
+  EXPECT_EQ(getLittle<uint32_t>(file, 136), 19u);  // raw...
+  EXPECT_EQ(getLittle<uint32_t>(file, 140), 19u);  // ...and stored length of the options
+  EXPECT_EQ(std::string(file.begin() + 160, file.begin() + 179), "--seed 7 --headless");
+  EXPECT_EQ(std::string(file.end() - 40, file.end() - 36), "END!");
 }
 
 TEST(Replay, WriterRefusesWhatNoReaderTakes) {
@@ -143,6 +182,8 @@ TEST(Replay, WriterRefusesWhatNoReaderTakes) {
   };
   refused([](Replay& r) { r.inputs.clear(), r.hashes.clear(); });
   refused([](Replay& r) { r.hashes.pop_back(); });
+  refused([](Replay& r) { r.fieldHashes.resize(1); });  // twelve ticks have none
+  refused([](Replay& r) { r.whole = false; });
   refused([](Replay& r) { r.header.enemies = 0; });
   refused([](Replay& r) { r.header.enemies = kMaxEnemies + 1; });
   refused([](Replay& r) { r.header.mode = Mode(9); });
