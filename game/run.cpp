@@ -23,6 +23,12 @@ bool Run::collect() {
   return true;
 }
 
+void Run::restore(const RunMoment& moment) {
+  simulation_->restore(moment.state);
+  monitor_ = moment.monitor;
+  effects_ = moment.effects;
+}
+
 void Run::finishRecording() {
   if (!recorder_) return;
   Recorder recorder = std::move(*recorder_);

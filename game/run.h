@@ -12,6 +12,15 @@
 
 namespace gw {
 
+// A run at one tick: all it takes to go on from there, and to show it as if it had been played to there.
+struct RunMoment {
+  Snapshot state;
+  RunMonitor monitor;
+  RunEffects effects;
+
+  uint32_t tick() const { return monitor.last().tick; }
+};
+
 class Run {
  public:
   // `recorder` may be none. The simulation has not ticked yet.
@@ -27,6 +36,11 @@ class Run {
     return collect();
   }
   uint32_t queued() const { return queued_; }
+
+  // No tick may be queued, and what is restored must come from a run of the same game. Sparks are no state: those
+  // that flew are gone after restore().
+  RunMoment moment() { return {simulation_->snapshot(), monitor_, effects_}; }
+  void restore(const RunMoment& moment);
 
   // Writes the recording, if there is one and a tick was played; once. At the end of the run this has
   // been done already, so that nothing that happens later can lose it. Throws FileError.
