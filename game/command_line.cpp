@@ -23,12 +23,13 @@ constexpr VerbName kVerbs[] = {
     {"play", Verb::play, "Play; what happens with no verb at all."},
     {"replay", Verb::replay, "Watch a replay."},
     {"verify", Verb::verify, "Run replays again and compare every tick."},
+    {"render", Verb::render, "Make a film or pictures of a replay; needs no display."},
     {"trim", Verb::trim, "Run a replay again up to a tick and write what was run, whole and in today's format."},
     {"diff", Verb::diff, "Say where two replays part."},
     {"devices", Verb::devices, "Say which devices there are and which one 'auto' takes."},
     {"probe", Verb::probe, "Play a run for 'gpuwars verify --reference' of another build."},
 };
-constexpr std::string_view kLaterVerbs[] = {"profile", "render"};
+constexpr std::string_view kLaterVerbs[] = {"profile"};
 
 constexpr Choice kModes[] = {{"arcade", uint32_t(Mode::arcade)},
                              {"deadline", uint32_t(Mode::deadline)},
@@ -49,6 +50,8 @@ constexpr Choice kSorts[] = {{"bitonic", uint32_t(Sort::bitonic)},
                              {"full", uint32_t(Sort::full)},
                              {"frozen", uint32_t(Sort::frozen)}};
 constexpr Choice kAutopilots[] = {{"novice", uint32_t(Autopilot::novice)}, {"expert", uint32_t(Autopilot::expert)}};
+constexpr Choice kFrameRates[] = {{"30", 30}, {"60", 60}, {"120", 120}};
+constexpr Choice kHud[] = {{"on", 1}, {"off", 0}};
 constexpr Choice kOrders[] = {{"forward", uint32_t(VisitOrder::forward)},
                               {"reversed", uint32_t(VisitOrder::reversed)},
                               {"shuffled", uint32_t(VisitOrder::shuffled)}};
@@ -77,6 +80,7 @@ class VerbParser {
     if (verb.verb == Verb::play) addGame();
     if (verb.verb != Verb::devices && verb.verb != Verb::diff) addComputing();
     if (verb.verb == Verb::play || verb.verb == Verb::replay) addWindow();
+    if (verb.verb == Verb::render) addRender();
     if (verb.verb == Verb::replay) addReplay();
     if (verb.verb == Verb::verify) addVerify();
     if (verb.verb == Verb::trim) addTrim();
@@ -177,11 +181,15 @@ class VerbParser {
         kDiagnostics);
   }
 
-  void addWindow() {
-    values_.integer("--width", "of the window or screenshot, in pixels (1280)", 320, 7680,
+  void addSize() {
+    values_.integer("--width", "of the window or picture, in pixels (1280)", 320, 7680,
                     [&](uint64_t v) { options_.width_px = uint32_t(v); });
-    values_.integer("--height", "of the window or screenshot, in pixels (720)", 200, 4320,
+    values_.integer("--height", "of the window or picture, in pixels (720)", 200, 4320,
                     [&](uint64_t v) { options_.height_px = uint32_t(v); });
+  }
+
+  void addWindow() {
+    addSize();
     values_.flag("--fullscreen", "fill the screen", [&] { options_.fullscreen = true; });
     values_.flag("--mute", "no sound", [&] { options_.mute = true; });
     values_.path(
@@ -191,9 +199,23 @@ class VerbParser {
 
   void addReplay() {
     values_.files("FILE", "the replay to watch", 1, [&](std::string v) { options_.files.emplace_back(v); });
-    values_.number("--speed", "times real time (1)", 0.05, 64, [&](double v) { options_.speed = v; });
+    values_.number("--speed", "times real time (1)", 0.1, 16, [&](double v) { options_.speed = v; });
     values_.integer("--from", "the tick to start watching at", 0, kMaxTicks,
                     [&](uint64_t v) { options_.fromTick = uint32_t(v); });
+  }
+
+  void addRender() {
+    values_.files("FILE", "the replay to make pictures of", 1, [&](std::string v) { options_.files.emplace_back(v); });
+    values_.path("--out", "a folder for one picture a frame, FILE.png for one tick's, or FILE.mp4 for a film", "OUT",
+                 [&](std::string v) { options_.outPath = v; });
+    values_.integer("--from", "the first tick to draw (1)", 1, kMaxTicks,
+                    [&](uint64_t v) { options_.fromTick = uint32_t(v); });
+    values_.integer("--to", "the last tick to draw (the replay's last); of FILE.png the only one", 1, kMaxTicks,
+                    [&](uint64_t v) { options_.toTick = uint32_t(v); });
+    addSize();
+    values_.choice("--fps", kFrameRates, "pictures per second of game time", "60",
+                   [&](uint32_t v) { options_.framesPerSecond = v; });
+    values_.choice("--hud", kHud, "score, budget and counts", "on", [&](uint32_t v) { options_.hud = v != 0; });
   }
 
   void addVerify() {
@@ -305,10 +327,33 @@ class VerbParser {
     }
   }
 
+  // What the name of the output asks for.
+  void checkRender() const {
+    const Options& o = options_;
+    if (o.outPath.empty()) {
+      throw UsageError("'gpuwars render' has nowhere to draw to; give '--out' a folder, FILE.png or FILE.mp4");
+    }
+    const std::string ending = o.outPath.extension().string();
+    for (const char* other :
+         {".avi", ".bmp", ".gif", ".jpeg", ".jpg", ".mkv", ".mov", ".webm", ".webp", ".MP4", ".PNG"}) {
+      if (ending != other) continue;
+      throw UsageError(fmt::format(
+          "'--out {}' is no kind of file that can be made; give a folder, FILE.png or FILE.mp4", o.outPath.string()));
+    }
+    if (ending == ".mp4" && (o.width_px % 2 != 0 || o.height_px % 2 != 0)) {
+      throw UsageError(fmt::format("'--width {}' and '--height {}' are no size for a film; give even numbers",
+                                   o.width_px, o.height_px));
+    }
+    if (o.fromTick && o.toTick && *o.fromTick > o.toTick) {
+      throw UsageError(fmt::format("'--from {}' comes after '--to {}'; exchange them", *o.fromTick, o.toTick));
+    }
+  }
+
   void checkContradictions() const {
     const auto refuse = [](const char* sentence) { throw UsageError(sentence); };
     const Options& o = options_;
     checkNeighbours();
+    if (o.verb == Verb::render) checkRender();
     if (o.verb == Verb::play) {
       if (o.headless && o.fullscreen) refuse("'--headless' has no window for '--fullscreen'; leave out one of the two");
       if (o.headless && !o.ticks) refuse("'--headless' does not end by itself; give '--ticks N' too");
@@ -375,7 +420,7 @@ const VerbName& takeVerb(std::vector<std::string>& arguments) {
   const VerbName* verb = findVerb(name);
   if (!verb) {
     throw UsageError(
-        fmt::format("'{}' is not a verb; choose play, replay, verify, trim, diff or devices (to watch a file: "
+        fmt::format("'{}' is not a verb; choose play, replay, verify, render, trim, diff or devices (to watch a file: "
                     "'gpuwars replay FILE')",
                     name));
   }

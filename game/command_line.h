@@ -15,7 +15,7 @@ namespace gw {
 // `differ` is what diff says, as the program of that name does.
 enum class ExitCode : int { fine = 0, failedRun = 1, differ = 1, badUsage = 2, badFile = 3, desync = 4 };
 
-enum class Verb : uint32_t { play, replay, verify, trim, diff, devices, probe };
+enum class Verb : uint32_t { play, replay, verify, render, trim, diff, devices, probe };
 enum class DeviceOption : uint32_t { automatic, cuda, cpu };
 
 struct Options {
@@ -56,13 +56,19 @@ struct Options {
 
   // replay
   double speed = 1;  // times real time
-  uint32_t fromTick = 0;
 
-  // trim
+  // replay, render
+  std::optional<uint32_t> fromTick;
+
+  // trim, and render: a folder, or a file that ends in .png or .mp4
   std::filesystem::path outPath;
   uint32_t toTick = 0;  // 0: all there are
 
-  // replay and trim (exactly one), diff (two), verify (one or more)
+  // render
+  uint32_t framesPerSecond = 60;  // of game time
+  bool hud = true;
+
+  // replay, render and trim (exactly one), diff (two), verify (one or more)
   std::vector<std::filesystem::path> files;
 
   // verify

@@ -37,6 +37,8 @@ ExitCode runVerb(const Options& options) {
 #endif
     case Verb::verify:
       return verifyReplays(options);
+    case Verb::render:
+      return renderReplay(options);
     case Verb::probe:
       return answerAsProbe(options);
     case Verb::trim:

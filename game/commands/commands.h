@@ -10,6 +10,7 @@ ExitCode playWindow(const Options& options);
 ExitCode playHeadless(const Options& options);
 ExitCode watchReplay(const Options& options);
 ExitCode verifyReplays(const Options& options);
+ExitCode renderReplay(const Options& options);
 ExitCode answerAsProbe(const Options& options);
 ExitCode trimReplay(const Options& options);
 ExitCode diffTwoReplays(const Options& options);

@@ -8,15 +8,12 @@
 #include "game/commands/progress.h"
 #include "game/commands/run_factory.h"
 #include "game/interrupt.h"
+#include "game/movie/picture_maker.h"
 #include "game/ui/format.h"
 #include "game/ui/hud.h"
 #include "game/ui/mode_choice.h"
 #include "game/user_error.h"
-#include "game/world_view.h"
-#include "gpu/device_list.h"
 #include "gpu/kernel_count.h"
-#include "render/gl_context_egl.h"
-#include "render/screenshot.h"
 
 namespace gw {
 
@@ -114,18 +111,10 @@ void printSummary(Run& run, const RunFactory& factory, const Options& options, u
 }
 
 void takePicture(Run& run, const RunFactory& factory, const Options& options) {
-  const PixelSize size{int(options.width_px), int(options.height_px)};
-  std::unique_ptr<GlContext> context;
-  try {
-    context = makeEglContext(size, run.simulation().onCuda() ? currentCudaDevice() : std::nullopt);
-  } catch (const std::runtime_error& error) {
-    throw UserError(ExitCode::failedRun, error.what());
-  }
-  WorldView view(factory.assets(), run.simulation().capacity());
+  PictureMaker maker({int(options.width_px), int(options.height_px)}, factory.assets(), run.simulation());
   FollowCamera camera(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
-  camera.snap(cameraTarget(run.last(), 1), float(size.width) / float(size.height));
-  context->bindTarget();
-  view.draw(run, factory.rules(), camera, {size, 1, 1}, [&](Canvas& canvas) {
+  camera.snap(cameraTarget(run.last(), 1), maker.aspect());
+  const Image image = maker.draw(run, factory.rules(), camera, 1, [&](Canvas& canvas) {
     HudFrame hud;
     hud.realFps = 0;
     hud.mode = options.mode;
@@ -133,11 +122,10 @@ void takePicture(Run& run, const RunFactory& factory, const Options& options) {
     drawHud(canvas, run.monitor(), factory.rules(), hud);
   });
   try {
-    takeScreenshot(options.screenshotPath, size);
+    writePng(options.screenshotPath, image);
   } catch (const std::runtime_error& error) {
     throw UserError(ExitCode::badFile, error.what());
   }
-  context->swap();
 }
 
 }  // namespace

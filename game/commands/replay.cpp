@@ -36,7 +36,7 @@ class ReplaySession {
     config_.particles = true;
     run_.emplace(makeLastingSimulation(device_, config_), std::nullopt);
     loop_.prepare(findAssetFolder(options.assetsDir), run_->simulation().capacity());
-    const uint32_t from = std::min(options.fromTick, replay_.ticks());
+    const uint32_t from = std::min(options.fromTick.value_or(0), replay_.ticks());
     while (run_->last().tick < from && !run_->over()) tick();
     loop_.startAfresh(*run_);
     loop_.pacer().setSpeed(options.speed);

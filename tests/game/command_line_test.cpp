@@ -87,6 +87,24 @@ TEST(CommandLine, ReplayTakesAFile) {
   EXPECT_EQ(o.speed, 0.5);
   EXPECT_EQ(o.fromTick, 600u);
   EXPECT_EQ(o.width_px, 640u);
+  EXPECT_EQ(accepted("replay run.gwr --speed 0.1").speed, 0.1);
+  EXPECT_EQ(accepted("replay run.gwr --speed 16").speed, 16);
+}
+
+TEST(CommandLine, RenderTakesAFileAndAPlace) {
+  const Options o = accepted(
+      "render run.gwr --out film.mp4 --from 60 --to 600 --width 1920 --height 1080 --fps 120 --hud off --threads 2");
+  EXPECT_EQ(o.verb, Verb::render);
+  EXPECT_EQ(o.files, (std::vector<std::filesystem::path>{"run.gwr"}));
+  EXPECT_EQ(o.outPath, "film.mp4");
+  EXPECT_EQ(o.fromTick, 60u);
+  EXPECT_EQ(o.toTick, 600u);
+  EXPECT_EQ(o.framesPerSecond, 120u);
+  EXPECT_FALSE(o.hud);
+  const Options usual = accepted("render run.gwr --out frames");
+  EXPECT_FALSE(usual.fromTick || usual.toTick != 0);
+  EXPECT_EQ(usual.framesPerSecond, 60u);
+  EXPECT_TRUE(usual.hud);
 }
 
 TEST(CommandLine, VerifyTakesFiles) {
@@ -193,7 +211,6 @@ const Refusal kRefusals[] = {
      "'--sort frozen' keeps the NGrid in order, which '--broad-phase grid' does without; leave out one of the two"},
     {"profile", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
     {"profile --help", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
-    {"render a.gwr --out b", "'gpuwars render' is not in this version yet; see 'gpuwars --help' for what is"},
     // Values.
     {"--mode chess", "'--mode chess' is not known; choose arcade|deadline|swarm|practice"},
     {"--device gpu", "'--device gpu' is not known; choose auto|cuda|cpu"},
@@ -221,10 +238,10 @@ const Refusal kRefusals[] = {
     {"--headless=yes --ticks 5", "'--headless' takes no value; leave out what follows its '='"},
     {"--seed 1 --seed 2", "'--seed' is given more than once; keep one of them"},
     {"verify a -j 0", "'--jobs 0' does not work; give a whole number from 1 to 256"},
-    {"replay a --speed nan", "'--speed nan' does not work; give a number from 0.05 to 64"},
-    {"replay a --speed 0", "'--speed 0' does not work; give a number from 0.05 to 64"},
-    {"replay a --speed fast", "'--speed fast' does not work; give a number from 0.05 to 64"},
-    {"replay a --speed 1e999", "'--speed 1e999' does not work; give a number from 0.05 to 64"},
+    {"replay a --speed nan", "'--speed nan' does not work; give a number from 0.1 to 16"},
+    {"replay a --speed 0", "'--speed 0' does not work; give a number from 0.1 to 16"},
+    {"replay a --speed fast", "'--speed fast' does not work; give a number from 0.1 to 16"},
+    {"replay a --speed 1e999", "'--speed 1e999' does not work; give a number from 0.1 to 16"},
     {"replay a --from -1", "'--from -1' does not work; give a whole number from 0 to 864,000"},
     {"--record --headless",
      "'--record' is followed by '--headless' where its file name should be; give it one "
@@ -271,10 +288,18 @@ const Refusal kRefusals[] = {
      "'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'"},
     // Verbs, files and options in the wrong place.
     {"run.gwr",
-     "'run.gwr' is not a verb; choose play, replay, verify, trim, diff or devices (to watch a file: "
-     "'gpuwars replay FILE')"},
+     "'run.gwr' is not a verb; choose play, replay, verify, render, trim, diff or devices (to watch a file: 'gpuwars "
+     "replay FILE')"},
     {"play run.gwr", "'run.gwr' is not understood; 'gpuwars play' takes options only"},
     {"devices cpu", "'cpu' is not understood; 'gpuwars devices' takes options only"},
+    {"render --out a", "'gpuwars render' needs a replay; name the file"},
+    {"render a", "'gpuwars render' has nowhere to draw to; give '--out' a folder, FILE.png or FILE.mp4"},
+    {"render a --out b.avi", "'--out b.avi' is no kind of file that can be made; give a folder, FILE.png or FILE.mp4"},
+    {"render a --out b.mp4 --width 641", "'--width 641' and '--height 720' are no size for a film; give even numbers"},
+    {"render a --out b --from 9 --to 8", "'--from 9' comes after '--to 8'; exchange them"},
+    {"render a --out b --fps 25", "'--fps 25' does not work; choose 30, 60 or 120"},
+    {"render a --out b --hud maybe", "'--hud maybe' does not work; choose on or off"},
+    {"render a --out b --speed 2", "'--speed' belongs to 'gpuwars replay', not to 'gpuwars render'; leave it out"},
     {"replay", "'gpuwars replay' needs a replay; name the file"},
     {"verify --json out", "'gpuwars verify' needs a replay; name the file"},
     {"trim --out b", "'gpuwars trim' needs a replay; name the file"},

@@ -1,0 +1,30 @@
+// Frames as an MP4 film, encoded by ffmpeg: H.264 where it can, else MPEG-4. The film grows in a temporary file
+// beside its name and takes the name when it is whole.
+#pragma once
+
+#include <memory>
+
+#include "game/movie/child_process.h"
+#include "game/movie/frame_sink.h"
+
+namespace gw {
+
+class FilmFile final : public FrameSink {
+ public:
+  // Throws UserError when there is no ffmpeg, FileError when the file cannot be written.
+  FilmFile(const std::filesystem::path& path, PixelSize size, uint32_t framesPerSecond);
+  ~FilmFile() override;
+
+  void add(const Image& image) override;
+  void finish() override;
+
+ private:
+  [[noreturn]] void fail(const std::string& why);
+  void endEncoder();
+
+  std::filesystem::path path_, temporary_;
+  std::unique_ptr<ChildProcess> encoder_;
+  uint32_t frames_ = 0;
+};
+
+}  // namespace gw

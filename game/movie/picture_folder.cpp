@@ -1,0 +1,57 @@
+#include "game/movie/picture_folder.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <system_error>
+
+#include "game/user_error.h"
+
+namespace gw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
+  throw UserError(ExitCode::badFile, fmt::format("{} cannot take the frames: {}.", folder.string(), why));
+}
+
+bool isFrame(const fs::path& file) {
+  return file.extension() == ".png" && file.filename().string().starts_with("frame_");
+}
+
+}  // namespace
+
+PictureFolder::PictureFolder(const fs::path& folder) : folder_(folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (!fs::exists(status)) {
+    if (!fs::create_directory(folder, error) && error) {
+      refuse(folder, error.message() + "; choose a folder inside one that exists and that you may write to");
+    }
+  } else if (!fs::is_directory(status)) {
+    refuse(folder, "it is a file; give the name of a folder, or one that ends in .png or .mp4");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    refuse(folder, "it is write-protected; choose another folder or lift the protection");
+  }
+  fs::directory_iterator entries(folder, error);
+  if (error) refuse(folder, error.message() + "; choose another folder");
+  for (; entries != fs::directory_iterator(); entries.increment(error)) {
+    if (error) refuse(folder, error.message() + "; choose another folder");
+    if (isFrame(entries->path())) {
+      refuse(folder, "there are frames of another render in it; give an empty folder or delete them");
+    }
+  }
+}
+
+void PictureFolder::add(const Image& image) {
+  try {
+    writePng(folder_ / fmt::format("frame_{:06}.png", ++frames_), image);
+  } catch (const std::runtime_error& error) {
+    throw UserError(ExitCode::badFile, error.what());
+  }
+}
+
+}  // namespace gw
