@@ -44,6 +44,13 @@ void FollowCamera::follow(const Target& target, float aspect, float dt_s) {
   clampToWorld();
 }
 
+void FollowCamera::place(const CameraPlace& place, float aspect) {
+  aspect_ = aspect;
+  x_ = place.x;
+  y_ = place.y;
+  height_ = place.height_m;
+}
+
 void FollowCamera::toWorld(float px, float py, float width_px, float height_px, float& world_x, float& world_y) const {
   world_x = x_ + (px / width_px * 2 - 1) * halfWidth_m();
   world_y = y_ - (py / height_px * 2 - 1) * halfHeight_m();

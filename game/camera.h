@@ -18,6 +18,12 @@ struct CameraRules {
   float pastWalls_m = 4;        // most that is shown beyond a wall
 };
 
+// A view that somebody chose.
+struct CameraPlace {
+  float x = 0, y = 0;   // of the middle, m
+  float height_m = 40;  // of the world, from the top of the window to the bottom
+};
+
 class FollowCamera {
  public:
   struct Target {
@@ -32,6 +38,9 @@ class FollowCamera {
   void snap(const Target& target, float aspect);
   // Follows for `dt_s` seconds of real time. `aspect` is the window's width over its height.
   void follow(const Target& target, float aspect, float dt_s);
+
+  // Looks where it is told to, walls or not; following begins from there.
+  void place(const CameraPlace& place, float aspect);
 
   // What the passes draw.
   Camera view() const { return {x_, y_, halfWidth_m(), halfHeight_m()}; }

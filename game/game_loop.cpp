@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
+#include <utility>
 
 #include "game/interrupt.h"
 #include "game/ui/theme.h"
@@ -96,6 +97,7 @@ bool GameLoop::beginFrame() {
   SDL_Event event;
   while (SDL_PollEvent(&event) != 0) {
     if (event.type == SDL_QUIT) closed_ = true;
+    if (listener_ && listener_(event)) continue;
     pads_->handle(event);
     input_.handle(event);
   }
@@ -139,15 +141,43 @@ CanvasPoint GameLoop::onCanvas(WorldPoint place) const {
   return point;
 }
 
+CanvasPoint GameLoop::toCanvas(float x_px, float y_px) const {
+  int width = 1, height = 1;
+  SDL_GetWindowSize(context_->window(), &width, &height);
+  const float scale = Canvas::kHeight / float(std::max(height, 1));
+  return {x_px * scale, y_px * scale};
+}
+
+float GameLoop::canvasWidth() const {
+  return Canvas::kHeight * aspectOf(context_->size());
+}
+
+CameraPlace GameLoop::cameraPlace() const {
+  return camera_ ? CameraPlace{camera_->x(), camera_->y(), 2 * camera_->halfHeight_m()} : CameraPlace();
+}
+
+void GameLoop::moveCamera(const Run& run, float alpha, float aspect) {
+  const FollowCamera::Target target = cameraTarget(run.last(), alpha);
+  const bool jumped = std::exchange(jumped_, false);
+  const double passed_s = pacer_.paused() ? 0 : now_s_ - (drawn_s_ == 0 ? last_s_ : drawn_s_);
+  drawn_s_ = now_s_;
+  if (place_) {
+    camera_->place(*place_, aspect);
+  } else if (jumped) {
+    camera_->snap(target, aspect);
+  } else {
+    camera_->follow(target, aspect, float(passed_s * std::max(1.0, pacer_.speed())));  // a fast ship is not lost
+  }
+}
+
 void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens) {
   const PixelSize size = context_->size();
   const float alpha = pacer_.alpha();
-  if (run.last().tick == 0) {
+  if (run.last().tick == 0 && !place_) {
     // Nothing has been simulated yet, so nobody knows where the ship is: the middle of the world.
     camera_->snap({run.simulation().worldWidth_m() / 2, run.simulation().worldHeight_m() / 2, 0, 0}, aspectOf(size));
   } else {
-    const double passed_s = pacer_.paused() ? 0 : now_s_ - last_s_;
-    camera_->follow(cameraTarget(run.last(), alpha), aspectOf(size), float(passed_s));
+    moveCamera(run, alpha, aspectOf(size));
   }
   context_->bindTarget();
   if (!run.over()) overSince_s_ = 0;

@@ -37,6 +37,10 @@ class GameLoop {
   bool fullscreen() const { return fullscreen_; }
   bool muted() const { return sound_.muted; }  // --mute is not the player's choice
 
+  // Is shown every event before keyboard, mouse and pads are; true: it goes no further.
+  using Listener = std::function<bool(const SDL_Event&)>;
+  void listenFirst(Listener listener) { listener_ = std::move(listener); }
+
   // Takes the events and the time of a new frame. False when the window was closed.
   bool beginFrame();
 
@@ -50,6 +54,16 @@ class GameLoop {
   // What lies under the pointer, and where a place of the world is on a canvas; after the first frame.
   WorldPoint underPointer() const;
   CanvasPoint onCanvas(WorldPoint place) const;
+
+  // Of a point of the window, as events have it.
+  CanvasPoint toCanvas(float x_px, float y_px) const;
+  float canvasWidth() const;
+
+  // The camera looks there from now on; none: it follows the ship.
+  void look(const std::optional<CameraPlace>& place) { place_ = place; }
+  CameraPlace cameraPlace() const;
+  // The next picture is of another moment: the camera does not fly there.
+  void jump() { jumped_ = true; }
 
   // Draws the run and the screens over it, shows the picture, and waits where the screen does not.
   void endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens);
@@ -71,6 +85,7 @@ class GameLoop {
 
  private:
   void mute(bool on);
+  void moveCamera(const Run& run, float alpha, float aspect);
   void limitFrames();
   void countFrame();
 
@@ -82,7 +97,11 @@ class GameLoop {
   PlayerInput input_;
   TickPacer pacer_;
   Settings::Effects effects_;
+  Listener listener_;
+  std::optional<CameraPlace> place_;
+  bool jumped_ = false;
   double now_s_ = 0, last_s_ = 0;
+  double drawn_s_ = 0;  // the last picture's time
   double nextFrame_s_ = 0, period_s_ = 1.0 / 60;
   double countedSince_s_ = 0, realFps_ = 0;
   double overSince_s_ = 0;  // 0: the run is not over

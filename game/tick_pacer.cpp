@@ -28,9 +28,17 @@ void TickPacer::frame(double now_s) {
   }
 }
 
+// A clock that sums sixtieths falls a rounding error short of a whole tick; that is still a tick.
+bool TickPacer::behind() const {
+  return !paused_ && waiting_s_ >= kTick - 1e-9;
+}
+
+void TickPacer::showLast() {
+  waiting_s_ = kTick * (1 - 1e-6);
+}
+
 bool TickPacer::due() {
-  // A clock that sums sixtieths falls a rounding error short of a whole tick; that is still a tick.
-  if (paused_ || waiting_s_ < kTick - 1e-9) return false;
+  if (!behind()) return false;
   waiting_s_ = std::max(0.0, waiting_s_ - kTick);
   return true;
 }

@@ -18,6 +18,11 @@ class TickPacer {
   // True, and one tick is taken, while ticks are due in this frame.
   bool due();
 
+  // Whether ticks are left that this frame had no time for.
+  bool behind() const;
+  // Shows the last tick as it ended, and owes nothing: after a jump to it.
+  void showLast();
+
   // Hit-stop: no tick for this long, and none caught up afterwards. Ticks that were due in this frame
   // are part of it.
   void withhold(double seconds);

@@ -198,7 +198,7 @@ class PlaySession {
     if (screen_ == Screen::play && options_.autopilot == Autopilot::none) loop_.drawCrosshair(canvas);
     if (screen_ == Screen::pause) {
       practising() ? practice_->drawPause(canvas, rules, hints, padGone_, loop_)
-                   : drawPause(canvas, rules, {false, padGone_, hints});
+                   : drawPause(canvas, rules, {padGone_, hints});
     }
     if (screen_ == Screen::over) {
       drawGameOver(canvas, run_->monitor(), rules, {shown_s, bestBefore_, true, mode_, options_.enemies, hints});

@@ -7,12 +7,12 @@
 #include "game/asset_folder.h"
 #include "game/commands/commands.h"
 #include "game/commands/progress.h"
+#include "game/commands/replay_file.h"
 #include "game/device_choice.h"
 #include "game/interrupt.h"
 #include "game/movie/frame_sink.h"
 #include "game/movie/frame_times.h"
 #include "game/movie/picture_maker.h"
-#include "game/replay/replay_reader.h"
 #include "game/ui/format.h"
 #include "game/ui/hud.h"
 #include "game/user_error.h"
@@ -25,16 +25,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 FrameRange rangeOf(const Options& options, const Replay& replay) {
-  const auto inside = [&](const char* option, uint32_t tick) {
-    if (tick <= replay.ticks()) return tick;
-    throw UserError(ExitCode::badUsage,
-                    fmt::format("'{} {}' is past the last tick of {}, which is {}; give a smaller one.", option, tick,
-                                options.files.front().string(), replay.ticks()));
-  };
   FrameRange range;
   range.framesPerSecond = options.framesPerSecond;
-  range.from = inside("--from", options.fromTick.value_or(1));
-  range.to = options.toTick ? inside("--to", options.toTick) : replay.ticks();
+  range.from = tickInside(options, "--from", options.fromTick.value_or(1), replay);
+  range.to = options.toTick ? tickInside(options, "--to", options.toTick, replay) : replay.ticks();
   if (!isOnePicture(options.outPath)) return range;
   if (!options.toTick && options.fromTick) range.to = range.from;
   range.from = range.to;
@@ -97,7 +91,7 @@ class Filming {
 ExitCode renderReplay(const Options& options) {
   catchInterrupts();
   const std::string file = options.files.front().string();
-  const Replay replay = readReplay(options.files.front());
+  const Replay replay = readWatched(options);
   SimulationConfig config = replayConfig(replay);
   setComputingOf(config, options, file);
   config.particles = true;

@@ -26,9 +26,9 @@ void drawPause(Canvas& canvas, const Rules& rules, const PauseFrame& frame) {
     y += 28;
   };
   key(frame.keys.pause, "resume");
-  if (!frame.replay) key(frame.keys.retry, "start again");
-  if (!frame.replay) key(frame.keys.settings, "settings");
-  key(frame.keys.quit, frame.replay ? "leave" : "title");
+  key(frame.keys.retry, "start again");
+  key(frame.keys.settings, "settings");
+  key(frame.keys.quit, "title");
 
   // The table of types, as the rules in use have it: what touching each costs, what processing it pays.
   y += 20;

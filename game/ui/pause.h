@@ -8,7 +8,6 @@
 namespace gw {
 
 struct PauseFrame {
-  bool replay = false;   // pausing somebody else's run: no retry, no settings
   bool lostPad = false;  // because the controller in use went away
   KeyHints keys{};
 };

@@ -23,7 +23,9 @@ ReplayViewer::ReplayViewer(const Replay& replay, std::unique_ptr<Simulation> sim
 }
 
 void ReplayViewer::seek(uint32_t tick) {
-  wish_ = std::min(tick, replay_.ticks());
+  tick = std::min(tick, replay_.ticks());
+  if (!wish_ && tick == this->tick()) return;
+  wish_ = tick;
   begun_ = this->tick();
   share_ = 0;
 }
