@@ -233,7 +233,7 @@ class ReplaySession {
       drawGameOver(canvas, run.monitor(), config_.rules,
                    {loop_.now_s() - endedSince_s_, {}, false, config_.mode, config_.enemies, hints});
     }
-    drawViewerHints(canvas, paused, hints);
+    drawViewerHints(canvas, paused, hints, hud.banner);
     TimeBarFrame bar;
     bar.tick = viewer_->tick();
     bar.ticks = viewer_->ticks();

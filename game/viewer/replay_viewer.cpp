@@ -43,8 +43,8 @@ void ReplayViewer::jump() {
   constexpr uint32_t kWorthIt_ticks = 16;
   const auto from = moments_.before(*wish_ > kSparks_ticks ? *wish_ - kSparks_ticks : 0);
   if (*wish_ >= tick() && from->tick() <= tick() + kWorthIt_ticks) return;
+  if (*wish_ < tick()) begun_ = from->tick();
   player_.restore(*from);
-  begun_ = tick();
 }
 
 bool ReplayViewer::work(double budget_ms) {

@@ -7,12 +7,11 @@ namespace gw {
 
 using namespace theme;
 
-void drawViewerHints(Canvas& canvas, bool paused, const KeyHints& keys) {
+void drawViewerHints(Canvas& canvas, bool paused, const KeyHints& keys, const std::string& banner) {
   const std::string all = std::string(paused ? "SPACE play   . , tick" : "SPACE pause   - + speed") +
                           "   ARROWS 5 s   C camera   H keys   " + keys.quit + " leave";
   const std::string few = "H keys";
-  // The banner stands in the middle of this line.
-  const float room = canvas.width() / 2 - kMargin - 190;
+  const float room = (canvas.width() - canvas.textWidth(banner, 13)) / 2 - kMargin - 24;
   const std::string& shown = canvas.textWidth(all, 9) <= room ? all : few;
   canvas.text(shown, canvas.width() - kMargin, Canvas::kHeight - kMargin - 1, style(9, kQuiet, TextAlign::right, 0));
 }
@@ -24,7 +23,7 @@ void drawPausedTag(Canvas& canvas, uint32_t tick) {
 }
 
 void drawViewerHelp(Canvas& canvas, const KeyHints& keys) {
-  constexpr float kWidth = 372, kRow = 24, kTop = 170;
+  constexpr float kWidth = 420, kRow = 24, kTop = 170;
   struct Line {
     std::string key;
     const char* does;

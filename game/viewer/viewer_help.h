@@ -2,13 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "game/ui/canvas.h"
 #include "game/ui/key_hints.h"
 
 namespace gw {
 
-void drawViewerHints(Canvas& canvas, bool paused, const KeyHints& keys);
+// `banner` is what stands in the middle of the same line.
+void drawViewerHints(Canvas& canvas, bool paused, const KeyHints& keys, const std::string& banner);
 // The world stays visible: a pause is for looking.
 void drawPausedTag(Canvas& canvas, uint32_t tick);
 void drawViewerHelp(Canvas& canvas, const KeyHints& keys);
