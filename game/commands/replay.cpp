@@ -155,7 +155,8 @@ class ReplaySession {
     const CanvasPoint pointer = loop_.toCanvas(keys_.pointer_x_px(), keys_.pointer_y_px());
     const bool overBar = keys_.pointerSeen() && overTimeBar(pointer.x, pointer.y, loop_.canvasWidth());
     const uint32_t there = tickOnTimeBar(pointer.x, loop_.canvasWidth(), viewer_->ticks());
-    if (presses.clicked) onBar_ = overBar;
+    const CanvasPoint click = loop_.toCanvas(presses.click_x, presses.click_y);
+    if (presses.clicked) onBar_ = overTimeBar(click.x, click.y, loop_.canvasWidth());
     if (onBar_ && (presses.clicked || presses.drag_x != 0) && viewer_->wish() != there) viewer_->seek(there);
     if (!keys_.buttonHeld()) onBar_ = false;
     underMouse_ = overBar || onBar_ ? std::optional(there) : std::nullopt;

@@ -1,8 +1,6 @@
 // A player of a replay that leaves moments behind as it goes.
 #pragma once
 
-#include <functional>
-
 #include "game/viewer/moments.h"
 #include "game/viewer/replay_player.h"
 
@@ -10,10 +8,7 @@ namespace gw {
 
 class KeepingPlayer {
  public:
-  using Clock_ms = std::function<double()>;
-
-  // `clock` measures what ticks cost.
-  KeepingPlayer(ReplayPlayer player, Moments& moments, Clock_ms clock);
+  KeepingPlayer(ReplayPlayer player, Moments& moments);
 
   void playOne();
   void restore(const RunMoment& moment);
@@ -28,8 +23,7 @@ class KeepingPlayer {
 
   ReplayPlayer player_;
   Moments& moments_;
-  Clock_ms clock_;
-  double cost_ms_ = 0;  // of the ticks since the last moment
+  double cost_ms_ = 0;  // of this thread, for the ticks since the last moment
 };
 
 }  // namespace gw

@@ -57,6 +57,15 @@ std::shared_ptr<const RunMoment> Moments::before(uint32_t tick) const {
   return after == kept_.begin() ? nullptr : std::prev(after)->second;
 }
 
+std::shared_ptr<const RunMoment> Moments::start(uint32_t tick, uint32_t lead_ticks) const {
+  const std::lock_guard lock(mutex_);
+  auto it = kept_.upper_bound(tick);
+  if (it == kept_.begin()) return nullptr;
+  --it;
+  for (int back = 0; back < kBack && it != kept_.begin() && it->first + lead_ticks > tick; ++back) --it;
+  return it->second;
+}
+
 uint32_t Moments::reach() const {
   const std::lock_guard lock(mutex_);
   return kept_.empty() ? 0 : kept_.rbegin()->first;

@@ -21,7 +21,7 @@ class Moments {
   // What may lie between two at most: so many ticks, or ticks that took so long to compute.
   struct Spacing {
     uint32_t ticks = 240;
-    double cost_ms = 250;
+    double cost_ms = 100;
   };
   static constexpr size_t kBudget_bytes = size_t(512) << 20;
 
@@ -36,6 +36,10 @@ class Moments {
   bool has(uint32_t tick) const;
   // The last one at or before a tick; null when there is none.
   std::shared_ptr<const RunMoment> before(uint32_t tick) const;
+  // Where to begin on the way to a tick: so many ticks before it, but no more than kBack moments before the last one,
+  // which bounds the work where ticks are slow. Null when there is none.
+  std::shared_ptr<const RunMoment> start(uint32_t tick, uint32_t lead_ticks) const;
+  static constexpr int kBack = 2;
   // The tick of the last one; 0 when there is none.
   uint32_t reach() const;
 

@@ -18,7 +18,7 @@ ReplayViewer::ReplayViewer(const Replay& replay, std::unique_ptr<Simulation> sim
                            size_t budget_bytes)
     : replay_(replay),
       moments_(budget_bytes),
-      player_(ReplayPlayer(replay, std::move(simulation), difference_), moments_, now_ms) {
+      player_(ReplayPlayer(replay, std::move(simulation), difference_), moments_) {
   if (scout) scout_ = std::make_unique<Scout>(replay, difference_, moments_, std::move(scout));
 }
 
@@ -41,7 +41,7 @@ float ReplayViewer::seekShare() const {
 // To the best moment there is for the wish, unless going on from here is as short.
 void ReplayViewer::jump() {
   constexpr uint32_t kWorthIt_ticks = 16;
-  const auto from = moments_.before(*wish_ > kSparks_ticks ? *wish_ - kSparks_ticks : 0);
+  const auto from = moments_.start(*wish_, kSparks_ticks);
   if (*wish_ >= tick() && from->tick() <= tick() + kWorthIt_ticks) return;
   if (*wish_ < tick()) begun_ = from->tick();
   player_.restore(*from);

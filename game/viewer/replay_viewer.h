@@ -18,7 +18,7 @@ namespace gw {
 class ReplayViewer {
  public:
   // No spark lives longer (game/sim/particles.cu). They are no state, so whoever is sent to a tick begins so much
-  // before it.
+  // before it, or as much as Moments::start() allows.
   static constexpr uint32_t kSparks_ticks = 60;
 
   // The replay must outlive this. `scout` makes a second game for the scout; none: there is no scout.

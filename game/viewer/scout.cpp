@@ -1,7 +1,6 @@
 #include "game/viewer/scout.h"
 
 #include <sys/resource.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <exception>
@@ -9,13 +8,6 @@
 namespace gw {
 
 namespace {
-
-// What a tick costs, not how long it waited for somebody else's.
-double threadTime_ms() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) / 1e6;
-}
 
 void stepBack() {
   constexpr int kLowest = 19;
@@ -43,7 +35,7 @@ Scout::~Scout() {
 
 void Scout::work(const Replay& replay, FirstDifference& difference, Moments& moments, const Make& make) {
   stepBack();
-  KeepingPlayer player(ReplayPlayer(replay, make(), difference), moments, threadTime_ms);
+  KeepingPlayer player(ReplayPlayer(replay, make(), difference), moments);
   constexpr uint32_t kWorthIt_ticks = 60;
   while (!stop_ && !player.ended()) {
     // Whoever watches at 16 times the speed may be ahead; what he has seen needs no scout.

@@ -98,6 +98,7 @@ bool ViewerKeys::handle(const SDL_Event& event) {
       presses_.clicked |= button_;
       x_ = float(event.button.x);
       y_ = float(event.button.y);
+      if (button_) presses_.click_x = x_, presses_.click_y = y_;  // it may move on within the frame
       seen_ = true;
       return true;
     case SDL_MOUSEMOTION:

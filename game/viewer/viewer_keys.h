@@ -17,8 +17,9 @@ struct ViewerPresses {
   bool home = false, end = false;
   bool freeCamera = false, followShip = false;
   int wheel = 0;
-  bool clicked = false;          // the left button went down, at the pointer
-  float drag_x = 0, drag_y = 0;  // pixels with the left button held
+  bool clicked = false;            // the left button went down, and where
+  float click_x = 0, click_y = 0;  // px
+  float drag_x = 0, drag_y = 0;    // pixels with the left button held
 };
 
 class ViewerKeys {

@@ -95,6 +95,7 @@ TEST(ViewerKeys, DragOnlyWithTheButtonHeld) {
   keys.handle(motion(130, 90));
   const ViewerPresses presses = keys.take();
   EXPECT_TRUE(presses.clicked);
+  EXPECT_EQ(presses.click_x, 110) << "where it went down, not where it is now";
   EXPECT_EQ(presses.drag_x, 20);
   EXPECT_EQ(presses.drag_y, -10);
   EXPECT_TRUE(keys.buttonHeld());

@@ -36,6 +36,16 @@ TEST(Moments, FindsTheLastOneAtOrBefore) {
   EXPECT_EQ(moments.reach(), 480u);
 }
 
+TEST(Moments, StartEarlierForTheSparksButNotByMuchWork) {
+  Moments moments;
+  for (const uint32_t tick : {0u, 240u, 480u, 500u, 520u, 540u}) moments.keep(at(tick));
+  EXPECT_EQ(moments.start(30, 60)->tick(), 0u);
+  EXPECT_EQ(moments.start(299, 60)->tick(), 0u);
+  EXPECT_EQ(moments.start(300, 60)->tick(), 240u);
+  EXPECT_EQ(moments.start(545, 60)->tick(), 500u) << "two back, where they are dense";
+  EXPECT_EQ(moments.start(700, 60)->tick(), 540u);
+}
+
 TEST(Moments, ThinsToTwiceTheSpacingAsOftenAsTheBudgetAsks) {
   const size_t each = bytesOf(at(240, 100));
   Moments moments(each * 8, {240, 250});
