@@ -160,7 +160,8 @@ class ReplaySession {
     if (onBar_ && (presses.clicked || presses.drag_x != 0) && viewer_->wish() != there) viewer_->seek(there);
     if (!keys_.buttonHeld()) onBar_ = false;
     underMouse_ = overBar || onBar_ ? std::optional(there) : std::nullopt;
-    if (viewer_->seeking()) helpShown_ = false;
+    const bool moved = presses.ticks != 0 || presses.seconds != 0 || presses.home || presses.end || onBar_;
+    if (moved) helpShown_ = false;  // whoever moves looks at the picture
   }
 
   void moveCamera(const ViewerPresses& presses) {
@@ -208,6 +209,7 @@ class ReplaySession {
 
   std::string banner() const {
     std::string text = "REPLAY  " + minutesSeconds(viewer_->tick()) + " / " + minutesSeconds(viewer_->ticks());
+    if (!replay_.whole) text += "  PARTIAL";
     if (speed_ != 1) text += "  " + speedText(speed_);
     const std::string neighbours = neighboursText(config_.gather, config_.sortInUse());
     if (!neighbours.empty()) text += "  " + neighbours;

@@ -2,13 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "game/replay/replay_reader.h"
 #include "game/user_error.h"
 
 namespace gw {
 
 Replay readWatched(const Options& options) {
-  return readReplay(options.files.front(), SimulationVersions::current, Completeness::partial);
+  const std::filesystem::path& file = options.files.front();
+  Replay replay = readReplay(file, SimulationVersions::current, Completeness::partial);
+  if (!replay.whole) {
+    std::fprintf(stderr, "%s has no end: what there is of it is shown, %u ticks; 'gpuwars trim' makes it whole.\n",
+                 file.c_str(), replay.ticks());
+  }
+  return replay;
 }
 
 uint32_t tickInside(const Options& options, const char* option, uint32_t tick, const Replay& replay) {

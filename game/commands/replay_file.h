@@ -6,7 +6,7 @@
 
 namespace gw {
 
-// What is whole of it; Replay::whole says whether that is all. Throws ReplayError.
+// What is whole of it; says on stderr when that is not all. Throws ReplayError.
 Replay readWatched(const Options& options);
 
 // The tick, when the replay has it. Throws UserError when it ends before.
