@@ -12,9 +12,9 @@ namespace gw {
 
 namespace {
 
-std::unique_ptr<ChildProcess> start(const std::vector<std::string>& arguments) {
+std::unique_ptr<FedProcess> start(const std::vector<std::string>& arguments) {
   try {
-    return std::make_unique<ChildProcess>(arguments);
+    return std::make_unique<FedProcess>(arguments);
   } catch (const std::system_error& error) {
     if (error.code().value() == ENOENT) {
       throw UserError(ExitCode::failedRun,

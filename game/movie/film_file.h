@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "game/movie/child_process.h"
+#include "game/movie/fed_process.h"
 #include "game/movie/frame_sink.h"
 
 namespace gw {
@@ -23,7 +23,7 @@ class FilmFile final : public FrameSink {
   void endEncoder();
 
   std::filesystem::path path_, temporary_;
-  std::unique_ptr<ChildProcess> encoder_;
+  std::unique_ptr<FedProcess> encoder_;
   uint32_t frames_ = 0;
 };
 

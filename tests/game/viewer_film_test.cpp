@@ -7,7 +7,7 @@
 #include <random>
 
 #include "game/files/atomic_file.h"
-#include "game/movie/child_process.h"
+#include "game/movie/fed_process.h"
 #include "game/movie/film_file.h"
 #include "game/movie/frame_times.h"
 #include "game/movie/picture_folder.h"
@@ -116,7 +116,7 @@ TEST_F(Folders, LeaveNoHalfPictureWhereThereIsNoRoom) {
 
 bool haveFfmpeg() {
   try {
-    return ChildProcess({"ffmpeg", "-version"}).wait() == 0;
+    return FedProcess({"ffmpeg", "-version"}).wait() == 0;
   } catch (const std::system_error&) {
     return false;
   }
@@ -158,22 +158,22 @@ TEST_F(Folders, FilmsThatCannotBeSayWhyAndLeaveWhatStoodThere) {
   EXPECT_EQ(count(folder_), 1u);
 }
 
-TEST(ChildProcess, SaysThatAProgramIsNotThereAndHowItEnded) {
+TEST(FedProcess, SaysThatAProgramIsNotThereAndHowItEnded) {
   try {
-    ChildProcess({"no-such-program-anywhere"});
+    FedProcess({"no-such-program-anywhere"});
     FAIL();
   } catch (const std::system_error& error) {
     EXPECT_EQ(error.code().value(), ENOENT);
   }
-  ChildProcess echo({"cat", "-"});
+  FedProcess echo({"cat", "-"});
   const std::string words = "several words; $HOME `x`";
   EXPECT_TRUE(echo.write({reinterpret_cast<const uint8_t*>(words.data()), words.size()}));
   EXPECT_EQ(echo.wait(), 0);
   EXPECT_EQ(echo.output(), words);
-  ChildProcess argument({"printf", "%s", "$HOME *"});
+  FedProcess argument({"printf", "%s", "$HOME *"});
   EXPECT_EQ(argument.wait(), 0);
   EXPECT_EQ(argument.output(), "$HOME *");
-  ChildProcess deaf({"false"});
+  FedProcess deaf({"false"});
   const std::vector<uint8_t> much(1 << 20);
   EXPECT_FALSE(deaf.write(much)) << "a program that does not read is noticed, not died of";
   EXPECT_EQ(deaf.wait(), 1);

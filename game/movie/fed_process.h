@@ -1,4 +1,4 @@
-// Another program, run from an argument vector: no shell ever sees a file's name.
+// Another program that is fed by its standard input, run from an argument vector: no shell ever sees a file name.
 #pragma once
 
 #include <sys/types.h>
@@ -10,14 +10,14 @@
 
 namespace gw {
 
-class ChildProcess {
+class FedProcess {
  public:
   // Throws std::system_error when it cannot be started; ENOENT when it is not installed. It stands in a group of its
   // own, so that Ctrl-C at the terminal is ours alone.
-  explicit ChildProcess(const std::vector<std::string>& arguments);
-  ~ChildProcess();  // one that was not waited for is killed
-  ChildProcess(const ChildProcess&) = delete;
-  ChildProcess& operator=(const ChildProcess&) = delete;
+  explicit FedProcess(const std::vector<std::string>& arguments);
+  ~FedProcess();  // one that was not waited for is killed
+  FedProcess(const FedProcess&) = delete;
+  FedProcess& operator=(const FedProcess&) = delete;
 
   // To its standard input. False when it no longer reads.
   bool write(std::span<const uint8_t> bytes);

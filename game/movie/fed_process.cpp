@@ -1,4 +1,4 @@
-#include "game/movie/child_process.h"
+#include "game/movie/fed_process.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -14,7 +14,7 @@ extern char** environ;
 
 namespace gw {
 
-ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
+FedProcess::FedProcess(const std::vector<std::string>& arguments) {
   std::signal(SIGPIPE, SIG_IGN);  // one that dies early is noticed by write()
   int ends[2];
   output_ = memfd_create("output", MFD_CLOEXEC);
@@ -47,7 +47,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
   throw std::system_error(failed, std::generic_category());
 }
 
-ChildProcess::~ChildProcess() {
+FedProcess::~FedProcess() {
   closeInput();
   if (pid_ > 0) {
     kill(pid_, SIGKILL);
@@ -56,12 +56,12 @@ ChildProcess::~ChildProcess() {
   close(output_);
 }
 
-void ChildProcess::closeInput() {
+void FedProcess::closeInput() {
   if (input_ >= 0) close(input_);
   input_ = -1;
 }
 
-bool ChildProcess::write(std::span<const uint8_t> bytes) {
+bool FedProcess::write(std::span<const uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(input_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
@@ -71,7 +71,7 @@ bool ChildProcess::write(std::span<const uint8_t> bytes) {
   return true;
 }
 
-int ChildProcess::wait() {
+int FedProcess::wait() {
   closeInput();
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
@@ -80,7 +80,7 @@ int ChildProcess::wait() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-std::string ChildProcess::output() const {
+std::string FedProcess::output() const {
   std::string text;
   char part[4096];
   for (off_t at = 0;;) {
