@@ -8,6 +8,15 @@ of the simulation at a time and verifies the golden replays, shortest first, unt
 how it chooses. This page is written by `run_mutants --write`.
 
 """
+PLACES = """
+## Localised
+
+`gpuwars verify --reference` plays a replay on two programs at once and says where they part: tick, stage, field, entity and
+both values. `run_mutants --localise` asks it about caught mutants of as many stages as possible, with the unchanged
+program as the reference; it must name the stage that the change belongs to. Those of `hash.cu` change no value.
+
+"""
+BEGIN, END = "<!-- localised: run_mutants --localise writes it -->", "<!-- end of localised -->"
 
 
 def survivors(file):
@@ -46,8 +55,21 @@ def escaped(text):
     return text.replace("|", "\\|")
 
 
+def localised(page):
+    """What stands between the marks of docs/mutants.md; nothing where there are none yet."""
+    return page.partition(BEGIN)[2].partition(END)[0].strip()
+
+
+def with_localised(page, rows):
+    """The page with that replaced, or added at its end."""
+    before, found, rest = page.partition(BEGIN)
+    if not found:
+        before, rest = page + PLACES, END + "\n"
+    return f"{before}{BEGIN}\n{rows}\n{END}{rest.partition(END)[2]}"
+
+
 def table(found, reasons, chosen):
-    """docs/mutants.md as text; `chosen`: how many there are to try."""
+    """docs/mutants.md as text, but for what is localised; `chosen`: how many there are to try."""
     caught = sum(outcome.caught for _, outcome in found)
     out = [HEAD, f"**{caught} of {len(found)} caught**; {len(found) - caught} survive, each for a reason given below.\n"]
     if len(found) < chosen:

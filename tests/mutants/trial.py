@@ -81,7 +81,7 @@ class Trial:
             for file, replay in zip(files, found, strict=True):
                 if not replay["equal"]:
                     tick = replay.get("firstDifference", {}).get("tick", 0)
-                    return Outcome("caught", file.stem, tick, replay.get("error", "") or replay.get("wrongResult", ""))
+                    return Outcome("caught", file.stem, tick, replay.get("error", "") or replay.get("wrong", ""))
         return Outcome("survived")
 
     def _verify(self, program, files, limit_s):

@@ -202,6 +202,29 @@ TEST_F(think_group, a_dodge_leaves_the_path_by_the_nearer_side) {
   }
 }
 
+// A shot that comes exactly through its middle has no nearer side: odd ids step to the left of its path, even ones to
+// the right.
+TEST_F(think_group, in_the_very_middle_of_a_path_the_id_chooses_the_side) {
+  for (const float heading : {1.0f, -1.0f}) {
+    SCOPED_TRACE(heading);
+    world = fixture.emptyWorld();
+    world.master.tick = kLateTick;
+    for (uint32_t id = 0; id < 4; ++id) {
+      const float y = 20.0f + 10.0f * float(id);
+      enemy(id, kTexel, 60.0f, y, State::wandering);
+      EntityRecord& shot = world.add(shotAt(rules, 10 + id, 60.0f - 5.0f * heading, y, 0.0f));
+      shot.direction_x = heading;
+      shot.direction_y = 0.0f;
+    }
+    const auto after = run();
+    for (uint32_t id = 0; id < 4; ++id) {
+      ASSERT_EQ(after[id].state, uint32_t(State::avoiding)) << id;
+      EXPECT_EQ(after[id].direction_x, 0.0f) << id;
+      EXPECT_EQ(after[id].direction_y, id % 2 == 1 ? heading : -heading) << id;
+    }
+  }
+}
+
 TEST_F(think_group, only_shots_ahead_near_and_on_course_warn) {
   struct Case {
     float dx, dy, angle;  // the shot, from the enemy
