@@ -92,6 +92,7 @@ void StageFixture::begin(const naive::World& world) {
   state_.forceEnergy[1].upload(state_.forceEnergy[0].download());
   state_.directionMass[1].upload(state_.directionMass[0].download());
   state_.event.upload(std::vector<uint32_t>(state_.event.size()));
+  state_.threat.upload(std::vector<uint64_t>(state_.threat.size()));  // as spawn leaves it
 }
 
 std::vector<EntityRecord> StageFixture::entities(bool afterThink, bool afterIntegrate) const {
