@@ -25,8 +25,9 @@ class Place:
     desync: dict = field(default_factory=dict)
 
     def value(self, side):
-        """Of the field, as a number."""
-        return self.desync.get("values", {}).get(side, {}).get("number", "")
+        """Of the field: a real one with the digits that tell it from any other."""
+        number = self.desync.get("values", {}).get(side, {}).get("number", "")
+        return f"{number:.9g}" if isinstance(number, float) else str(number)
 
     def __str__(self):
         desync = self.desync
