@@ -176,6 +176,30 @@ TEST_F(think_group, the_fleeing_keep_off_the_walls_and_come_out_of_corners) {
   }
 }
 
+// With the ship straight off the wall, no side of it leads away sooner: then the wall's longer part, to the last metre.
+TEST_F(think_group, the_fleeing_at_a_wall_right_before_the_ship_turn_to_its_longer_part) {
+  const float width = fixture.limits().width_m, height = fixture.limits().height_m;
+  for (const float part : {0.497f, 0.503f}) {
+    SCOPED_TRACE(part);
+    const float longer = part < 0.5f ? 1.0f : -1.0f;
+    world = fixture.emptyWorld();
+    world.master.tick = kLateTick;
+    world.master.ship.x = part * width;
+    world.master.ship.y = 9.0f;
+    enemy(0, kFragment, part * width, 2.0f, State::escaping).energy = 1.0f;
+    const EntityRecord below = run().at(0);
+    EXPECT_EQ(below.direction_x, longer);
+    EXPECT_EQ(below.direction_y, 0.0f);
+    world.entities.clear();
+    world.master.ship.x = 9.0f;
+    world.master.ship.y = part * height;
+    enemy(0, kFragment, 2.0f, part * height, State::escaping).energy = 1.0f;
+    const EntityRecord beside = run().at(0);
+    EXPECT_EQ(beside.direction_x, 0.0f);
+    EXPECT_EQ(beside.direction_y, longer);
+  }
+}
+
 // A dodge goes across the shot's path, to the side where it already is, for twelve ticks at 15 m/s.
 TEST_F(think_group, a_dodge_leaves_the_path_by_the_nearer_side) {
   for (const float side : {0.2f, -0.2f}) {
