@@ -14,10 +14,27 @@ GW_FN uint64_t mixed(uint64_t word) {
   return word ^ (word >> 31);
 }
 
-// The hash of one 64-bit word that stands at (owner, field). Owners and fields up to 2^32 - 1.
+// The hashes of the 64-bit words that stand at (owner, 0), (owner, 1), ... in turn. Places lie a constant apart, so
+// that the next one is an addition. Owners and fields up to 2^32 - 1.
+class WordHashes {
+ public:
+  GW_FN explicit WordHashes(uint32_t owner, uint32_t field = 0)
+      : place_((uint64_t(owner) << 32 | field) * kApart + 0xD1B54A32D192ED03ull) {}
+
+  GW_FN uint64_t next(uint64_t word) {
+    const uint64_t hash = mixed((word + place_) ^ (place_ >> 29));
+    place_ += kApart;
+    return hash;
+  }
+
+ private:
+  static constexpr uint64_t kApart = 0x9E3779B97F4A7C15ull;
+  uint64_t place_;
+};
+
+// The hash of one of them.
 GW_FN uint64_t hashWord(uint32_t owner, uint32_t field, uint64_t word) {
-  const uint64_t place = (uint64_t(owner) << 32 | field) * 0x9E3779B97F4A7C15ull + 0xD1B54A32D192ED03ull;
-  return mixed((word + place) ^ (place >> 29));
+  return WordHashes(owner, field).next(word);
 }
 
 }  // namespace gw::GW_DEVICE

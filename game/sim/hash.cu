@@ -23,9 +23,12 @@ GW_FN uint64_t pair(uint32_t a, uint32_t b) {
 constexpr uint32_t kCellField = 0xCE11u;  // far above the fields of entities, whose owners are ids
 constexpr uint32_t kDamageField = 0xDEADu;
 
-// One team: a run of cells, whose hashes are added up field by field; sums of integers do not mind who adds first.
+// One team: a run of ids, whose hashes are added up field by field; sums of integers do not mind who adds first. By id,
+// so that all but the cells is read in the order in which it lies.
 struct HashEntities {
-  static constexpr uint32_t kLanes = 128, kCells = 512;
+  static constexpr uint32_t kIds = 512;
+  // Each lane has sums of its own, which cost a worker of the cpu device a quarter of the stage when they are 128.
+  static constexpr uint32_t kLanes = GW_ON_CUDA ? 128 : 8;
   struct Shared {
     uint64_t sums[kHashFields][kLanes];
   };
@@ -34,27 +37,29 @@ struct HashEntities {
 
   template <class Team>
   GW_BODY void operator()(const Team& team, Shared& s) const {
-    const uint32_t begin = team.index * kCells, end = smaller(begin + kCells, v.capacity);
+    const uint32_t begin = team.index * kIds, end = smaller(begin + kIds, v.capacity);
     team.phase([&](uint32_t lane) {
       uint64_t sums[kHashFields] = {};
-      for (uint32_t i = begin + lane; i < end; i += kLanes) addCell(i, sums);
+      for (uint32_t id = begin + lane; id < end; id += kLanes) addId(id, sums);
       if (team.index == 0) sums[uint32_t(HashField::master)] = partOfTables(lane);
       for (uint32_t field = 0; field < kHashFields; ++field) s.sums[field][lane] = sums[field];
     });
     team.phase([&](uint32_t lane) {
-      if (lane >= kHashFields) return;
-      uint64_t sum = 0;
-      for (uint32_t k = 0; k < kLanes; ++k) sum += s.sums[lane][(k + lane) % kLanes];  // no two from one bank
-      if (sum != 0) atomicAddTo64(v.scratch->fieldHashes[lane], sum);
+      for (uint32_t field = lane; field < kHashFields; field += kLanes) {
+        uint64_t sum = 0;
+        for (uint32_t k = 0; k < kLanes; ++k) sum += s.sums[field][(k + lane) % kLanes];  // no two from one bank
+        if (sum != 0) atomicAddTo64(v.scratch->fieldHashes[field], sum);
+      }
     });
   }
 
  private:
-  GW_BODY void addCell(uint32_t i, uint64_t* sums) const {
-    const Cell cell = v.moved[i];
+  GW_BODY void addId(uint32_t id, uint64_t* sums) const {
+    const uint32_t i = v.cellOf[id];
+    const Cell cell = i < v.capacity ? v.moved[i] : Cell{0.0f, 0.0f, kNobody, kTypeNone};
     // The empty cells too: who is born there depends on it.
-    if (withArrangement) sums[uint32_t(HashField::arrangement)] += hashWord(i, kCellField, cell.id);
-    if (cell.id >= v.capacity || v.cellOf[cell.id] != i) {
+    if (withArrangement) sums[uint32_t(HashField::arrangement)] += hashWord(i, kCellField, id);
+    if (cell.id != id) {  // with as many cells as ids: when each id's cell is its own, each cell's id is
       sums[uint32_t(HashField::arrangement)] += hashWord(i, kDamageField, cell.id);
       return;
     }
@@ -81,7 +86,8 @@ struct HashEntities {
                               pair(direction.x, direction.y),   pair(push.x, push.y),   pair(state.x, state.y),
                               pair(state.z, state.w),           uint64_t(v.target[id])};
     static_assert(sizeof words / sizeof words[0] == kEntityHashFields, "in the order of HashField");
-    for (uint32_t field = 0; field < kEntityHashFields; ++field) sums[field] += hashWord(id, field, words[field]);
+    WordHashes hashes(id);
+    for (uint32_t field = 0; field < kEntityHashFields; ++field) sums[field] += hashes.next(words[field]);
   }
 };
 
@@ -187,7 +193,7 @@ struct Report {
 }  // namespace
 
 void hash(Queue& queue, const View& view) {
-  forEachTeam(queue, (view.capacity + HashEntities::kCells - 1) / HashEntities::kCells,
+  forEachTeam(queue, (view.capacity + HashEntities::kIds - 1) / HashEntities::kIds,
               HashEntities{view, isArrangementState(view.near.gather)});
   forEach(queue, Count{1}, Report{view});
 }

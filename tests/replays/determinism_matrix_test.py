@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 from golden_suite import replay_facts
-from matrix import Results, Variant, compare, fill
+from matrix import Results, Variant, compare, decisive_digest, digest_of, fill
 
 GPUWARS, SOURCE = (Path(path).resolve() for path in sys.argv[1:3])
 del sys.argv[1:3]
@@ -104,6 +104,20 @@ class Matrix(unittest.TestCase):
             replay.write(b"x")
         table, wrong = self.fill(GPUWARS)
         self.assertEqual((len(self.said), wrong), (1, 1), "another file, which is refused")
+
+    def test_what_decides_is_told_from_what_does_not(self):
+        plain = decisive_digest(Variant("a", "a"))
+        self.assertEqual(plain, decisive_digest(Variant("b", "b")))
+        self.assertNotEqual(plain, decisive_digest(Variant("a", "a", ("-DCMAKE_BUILD_TYPE=Release",))))
+        program = self.program("gpuwars", "#!/bin/sh\n")
+        whole = digest_of(program)
+        program.with_name("decisive_digest").write_text(plain)
+        self.assertEqual(digest_of(program), plain)
+        program.write_text("#!/bin/sh\nexit 1\n")
+        self.assertEqual(digest_of(program), plain)
+        program.with_name("decisive_digest").unlink()
+        self.assertNotEqual(digest_of(program), whole)
+        self.assertIsNone(digest_of(Path("nowhere")))
 
     def test_quick_leaves_long_replays_out(self):
         table, wrong = self.fill(GPUWARS, most_ticks=self.ticks - 1)

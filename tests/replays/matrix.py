@@ -19,7 +19,7 @@ class Variant:
     build: str                # a folder of build/matrix
     configure: tuple = ()     # what cmake is told
     options: tuple = ()       # of verify
-    slow: bool = False        # a sanitiser: --quick leaves the long replays out
+    slow: bool = False        # a sanitiser, or not optimised: --quick leaves the long replays out
 
 
 def flags(level):
@@ -41,7 +41,7 @@ def newest_clang():
 def variants(clang):
     number = clang.rpartition("-")[2]
     compilers = [
-        Variant("g++ -O0", "gcc_o0", flags("-O0")),
+        Variant("g++ -O0", "gcc_o0", flags("-O0"), slow=True),
         Variant("g++ -O2", "gcc_o2", GCC2),
         Variant("g++ -O3 native", "gcc_o3_native", (*flags("-O3"), "-DGW_NATIVE=ON")),
         Variant(f"clang {number} -O3", f"clang_{number}", (*flags("-O3"), f"-DCMAKE_CXX_COMPILER={clang}",
@@ -51,7 +51,8 @@ def variants(clang):
     ]
     ways = [Variant(f"{n} thread{'s' * (n > 1)}", "gcc_o2", GCC2, ("--threads", str(n))) for n in (1, 2, 3, 7, 16)]
     ways += [Variant(order, "gcc_o2", GCC2, ("--order", order, "--threads", "2")) for order in ("reversed", "shuffled")]
-    return compilers + ways + [Variant("heavy", "gcc_o2", GCC2, ("--heavy",))]
+    ways.append(Variant("heavy", "gcc_o2", GCC2, ("--heavy",)))
+    return [v for v in compilers + ways if not v.slow] + [v for v in compilers if v.slow]
 
 
 def build(variant, jobs):
@@ -64,7 +65,33 @@ def build(variant, jobs):
                                 text=True, check=False, env=environment)
         if result.returncode != 0:
             raise ValueError(f"{variant.name} does not build:\n{result.stdout[-3000:]}")
+    digest = decisive_digest(variant)
+    program_of(variant).with_name(DIGEST).write_text(digest)
     return program_of(variant)
+
+
+# What the hashes that a build computes may depend on; a change of a screen's text does not make hours of work stale.
+DECISIVE = ("cmake", "game/input/input_record.h", "game/sim", "game/tables", "gpu")
+DIGEST = "decisive_digest"
+
+
+def decisive_digest(variant):
+    """Of the sources that decide, the compiler and what it is told."""
+    digest = hashlib.sha256(repr(variant.configure).encode())
+    compiler = next((option.partition("=")[2] for option in variant.configure if "CXX_COMPILER=" in option), "c++")
+    digest.update(subprocess.run([compiler, "--version"], stdout=subprocess.PIPE, check=True).stdout)
+    for path in (ROOT / name for name in DECISIVE):
+        for file in [path] if path.is_file() else sorted(found for found in path.rglob("*") if found.is_file()):
+            digest.update(f"{file.relative_to(ROOT)}\n".encode() + file.read_bytes())
+    return digest.hexdigest()[:24]
+
+
+def digest_of(program):
+    """Of a program that build() made, what decides what it computes; of any other, all of it."""
+    beside = program.with_name(DIGEST)
+    if not program.is_file():
+        return None
+    return beside.read_text() if beside.is_file() else content_hash(program)
 
 
 def program_of(variant):
@@ -98,7 +125,7 @@ def compare(program, file, options, recorded):
 
 
 class Results:
-    """build/matrix/results.json: a cell holds as long as program, replay and options are what they were."""
+    """build/matrix/results.json: a cell holds as long as what decides, replay and options are what they were."""
 
     def __init__(self, path):
         self.path = path
@@ -121,7 +148,7 @@ class Results:
 
 def fill(variant, program, replays, results, jobs, recorded, most_ticks=None, say=print):
     """Verifies what is not known yet, several at a time; a result is kept as soon as it is there."""
-    digest, pending = content_hash(program), []
+    digest, pending = digest_of(program), []
     for name, golden in golden_list(replays).items():
         file = replays / f"{name}.gwr"
         options = [*golden.verified, *variant.options]
