@@ -97,7 +97,8 @@ nlohmann::ordered_json outcomeJson(const Outcome& outcome) {
   }
   if (outcome.fields) json["fields"] = {{"tick", outcome.fields->tick}, {"differ", outcome.fields->fields}};
   if (outcome.desync) {
-    json["desync"] = desyncJson(*outcome.desync, {outcome.device, outcome.reference, outcome.config.rules});
+    json["desync"] = desyncJson(*outcome.desync,
+                                {outcome.device, outcome.reference, outcome.config.rules, outcome.recordedAtDesync});
   }
   if (!outcome.wrong.empty()) json["wrong"] = outcome.wrong;
   if (!outcome.error.empty()) json["error"] = outcome.error;

@@ -126,9 +126,9 @@ void playBeside(Outcome& outcome, Verification& verification, const Replay& repl
   }
   verification.runBeside(own, *reference);
   if (!outcome.desync) return;
-  const uint32_t tick = outcome.desync->tick;
-  outcome.desyncText = desyncText(
-      *outcome.desync, {outcome.device, outcome.reference, outcome.config.rules, replay.hashes.at(tick - 1)});
+  outcome.recordedAtDesync = replay.hashes.at(outcome.desync->tick - 1);
+  outcome.desyncText =
+      desyncText(*outcome.desync, {outcome.device, outcome.reference, outcome.config.rules, outcome.recordedAtDesync});
 }
 
 }  // namespace

@@ -30,8 +30,9 @@ struct Outcome {
   double seconds = 0;
   std::optional<HashDifference> first;  // from the recording
   std::optional<FieldDifference> fields;
-  std::optional<Desync> desync;  // from the reference
-  std::string desyncText;        // in words
+  std::optional<Desync> desync;   // from the reference
+  uint64_t recordedAtDesync = 0;  // the replay's hash of its tick
+  std::string desyncText;         // in words
   // Every tick equal, and yet the recorded result is another; or a snapshot that was restored is another snapshot.
   std::string wrong;
   std::vector<uint64_t> hashes;  // as computed

@@ -36,7 +36,8 @@ class Finder {
       const auto entities = differing(stage.entities, other->entities);
       if (globals.empty() && entities.empty()) continue;
       desync_.stage = stage.stage;
-      desync_.fields = uint32_t(globals.size() + entities.size());
+      desync_.fields = globals;
+      desync_.fields.insert(desync_.fields.end(), entities.begin(), entities.end());
       globals.empty() ? findEntity(entities.front()) : findGlobal(globals.front());
       return true;
     }

@@ -27,7 +27,8 @@ struct Desync {
   bool fromStart = false;        // parted again only when played from the start: snapshots do not hold the cause
   std::optional<uint32_t> id{};  // none: a global
   std::array<FieldValue, 2> values{};
-  uint32_t fields = 0, entities = 0;  // how many fields differ after the stage, and in `field` how many entities
+  std::vector<std::string> fields{};                // all that differ after the stage, `field` the first
+  uint32_t entities = 0;                            // in how many entities `field` differs
   std::array<std::vector<FieldValue>, 2> entity{};  // all of it, when it is one
   std::array<std::vector<NearEntity>, 2> around{};
 };

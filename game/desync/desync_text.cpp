@@ -22,10 +22,10 @@ std::string typeName(uint64_t type, const Rules& rules) {
 }
 
 // As a number and as bits.
-std::string text(const FieldValue& value, const Rules& rules) {
+std::string text(const FieldValue& value, const Rules& rules, bool ofEnemy = true) {
   if (value.field == "type") return fmt::format("{} ({})", value.bits, typeName(value.bits, rules));
   if (value.kind == ValueKind::real) return fmt::format("{:.9g} ({:08x})", realOf(value.bits), value.bits);
-  if (value.field == "state" && value.bits < kStates) {
+  if (ofEnemy && value.field == "state" && value.bits < kStates) {
     return fmt::format("{} ({})", value.bits, nameOf(State(value.bits)));
   }
   return fmt::format("{} ({:x})", value.bits, value.bits);
@@ -43,12 +43,14 @@ std::string nearText(const std::vector<NearEntity>& near, const Rules& rules) {
 // The two values of each field of the entity, those that differ marked.
 std::string entityText(const Desync& desync, const DesyncNames& names) {
   std::string lines;
+  const bool ofEnemy = !desync.entity[0].empty() && desync.entity[0][0].bits < kMaxEnemyTypes;
   for (const FieldValue& own : desync.entity[0]) {
     const auto other = std::find_if(desync.entity[1].begin(), desync.entity[1].end(),
                                     [&](const FieldValue& value) { return value.field == own.field; });
     if (other == desync.entity[1].end()) continue;
-    lines += fmt::format("  {} {:<13} {:<28} {}\n", own == *other ? ' ' : '*', own.field, text(own, names.rules),
-                         own == *other ? "the same" : text(*other, names.rules));
+    lines +=
+        fmt::format("  {} {:<13} {:<28} {}\n", own == *other ? ' ' : '*', own.field, text(own, names.rules, ofEnemy),
+                    own == *other ? "the same" : text(*other, names.rules, ofEnemy));
   }
   return lines;
 }
@@ -114,10 +116,11 @@ std::string desyncText(const Desync& desync, const DesyncNames& names) {
   }
   lines += fmt::format("  field         {}: {} here, {} in the reference\n", desync.field,
                        text(desync.values[0], names.rules), text(desync.values[1], names.rules));
-  lines += fmt::format("  after it      {} field{} differ{}", desync.fields, desync.fields == 1 ? "" : "s",
-                       desync.fields == 1 ? "s" : "");
-  lines += desync.id ? fmt::format(", this one in {} entit{}\n", desync.entities, desync.entities == 1 ? "y" : "ies")
-                     : std::string("\n");
+  std::string differing;
+  for (const std::string& field : desync.fields) differing += (differing.empty() ? "" : ", ") + field;
+  lines += fmt::format("  differing     {}\n", differing);
+  if (desync.id && desync.entities > 1)
+    lines += fmt::format("  entities      {} differ in {}\n", desync.entities, desync.field);
   if (!desync.id) return lines;
   lines += entityText(desync, names);
   if (desync.around[0] == desync.around[1]) {
@@ -141,7 +144,7 @@ nlohmann::ordered_json desyncJson(const Desync& desync, const DesyncNames& names
   if (desync.field.empty()) return json;
   json["field"] = desync.field;
   both("values", [&](size_t side) { return valueJson(desync.values[side]); });
-  json["fieldsDiffering"] = desync.fields;
+  json["fieldsDiffering"] = desync.fields;  // in the order in which they are looked at
   if (!desync.id) return json;
   json["entity"] = *desync.id;
   json["entitiesDiffering"] = desync.entities;

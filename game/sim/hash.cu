@@ -98,7 +98,8 @@ struct Report {
   GW_BODY void operator()(uint32_t) const {
     const Master& m = *v.master;
     TickScratch& s = *v.scratch;
-    TickReport report;
+    TickReport& report = *v.report;  // in place: as a local it would not fit the registers of a thread
+    report = TickReport{};
     report.tick = m.tick;
     report.over = m.over != 0;
     report.ending = Ending(m.over);
@@ -148,7 +149,6 @@ struct Report {
     report.edges = s.tally.edges;
     sounds(report, fresh, s);
     pops(report, m, s);
-    *v.report = report;
   }
 
  private:

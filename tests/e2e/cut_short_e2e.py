@@ -141,7 +141,7 @@ def main():
     stdout = accepted("diff of two games", "diff", target, other, "--json", out, code=DIFFER)
     found = json.loads(out.read_text())
     failures.check(found["header"] == [{"name": "seed", "a": "1", "b": "2"}] and found["hash"]["tick"] == 1
-                   and found["fields"]["tick"] == 60 and "master" in found["fields"]["names"], "names seed, tick and fields")
+                   and found["fields"]["tick"] == 60 and "master and tables" in found["fields"]["names"], "names seed, tick and fields")
     failures.check("header   seed: 1 | 2" in stdout and "fields   " in stdout, "for people too")
     refused("diff with no file", FILE, "diff", target, folder / "nothing.gwr", says=["nothing.gwr"])
     failures.finish()

@@ -109,7 +109,7 @@ TEST(desync_finder, names_tick_stage_entity_and_field_of_a_hundred_flipped_bits)
     EXPECT_EQ(found.stage, stage);
     EXPECT_EQ(found.field, place.field);
     EXPECT_EQ(found.id, id);
-    EXPECT_EQ(found.fields, 1u);
+    EXPECT_EQ(found.fields, std::vector<std::string>{place.field});
     EXPECT_EQ(found.entities, 1u);
     EXPECT_FALSE(found.fromStart);
     EXPECT_EQ(found.values[0].bits ^ found.values[1].bits, uint64_t(1) << bit);
@@ -252,7 +252,7 @@ TEST(desync_text, says_where_in_words_and_as_json) {
   const Rules rules = config().rules;
   Desync desync{.tick = 312, .hashes = {1, 2}, .stage = "think", .field = "force_x"};
   desync.id = 7;
-  desync.fields = 2;
+  desync.fields = {"force_x", "energy"};
   desync.entities = 1;
   desync.values = {FieldValue{"force_x", ValueKind::real, 0x3f800000},
                    FieldValue{"force_x", ValueKind::real, 0x3fa00000}};
@@ -263,7 +263,7 @@ TEST(desync_text, says_where_in_words_and_as_json) {
   const std::string text = desyncText(desync, names);
   for (const char* part :
        {"tick          312", "stage         think", "7 (triangle)", "1 (3f800000) here",
-        "1.25 (3fa00000) in the reference", "the reference agrees", "2 fields differ", "9 vertex at 0.500 m"}) {
+        "1.25 (3fa00000) in the reference", "the reference agrees", "differing     force_x, energy", "9 vertex at 0.500 m"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   }
   const nlohmann::ordered_json json = desyncJson(desync, names);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <numeric>
 #include <set>
 
 #include "tests/game/sim/scenes.h"
@@ -107,6 +108,9 @@ TEST_F(hash, neither_the_arrangement_nor_the_order_of_visits_is_felt) {
   std::vector<Cell> byId(cells.size());
   for (const Cell& cell : cells) byId[cell.id] = cell;
   fixture.state().cells[1].upload(byId);
+  std::vector<uint32_t> own(cells.size());
+  std::iota(own.begin(), own.end(), 0u);
+  fixture.state().cellOf.upload(own);
   cpu::hash(fixture.queue(), fixture.view());
   const TickReport report = fixture.state().report.download()[0];
   EXPECT_EQ(report.hash, wanted);

@@ -45,6 +45,7 @@ TEST(inexact_hash, feels_every_two_cells_that_change_places) {
     fixture.begin(world);
     const auto cells = fixture.state().cells[0].download();
     fixture.state().cells[1].upload(cells);
+    const auto cellOf = fixture.state().cellOf.download();
     std::set<uint64_t> hashes{hashOf(fixture)};
     uint32_t swaps = 0, ofTheDead = 0;
     for (uint32_t i = 0; i + 1 < cells.size(); i += 97, ++swaps) {
@@ -52,6 +53,9 @@ TEST(inexact_hash, feels_every_two_cells_that_change_places) {
       std::swap(swapped[i], swapped[i + 1]);
       ofTheDead += cells[i].type == kTypeNone && cells[i + 1].type == kTypeNone;
       fixture.state().cells[1].upload(swapped);
+      auto found = cellOf;
+      std::swap(found[cells[i].id], found[cells[i + 1].id]);
+      fixture.state().cellOf.upload(found);
       hashes.insert(hashOf(fixture));
     }
     EXPECT_GT(ofTheDead, 10u);
