@@ -6,3 +6,9 @@ target_compile_definitions(fault_test PRIVATE GW_ASSETS_DIR="${PROJECT_SOURCE_DI
 target_link_libraries(fault_test PRIVATE gw_program GTest::gtest_main)
 add_test(NAME fault_test COMMAND fault_test)
 set_tests_properties(fault_test PROPERTIES LABELS cuda)
+
+# A recorded run on both devices at once, tick by tick.
+add_test(NAME verify_against_cuda
+  COMMAND gpuwars verify --device cpu --against cuda first_seconds.gwr
+  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/replays)
+set_tests_properties(verify_against_cuda PROPERTIES LABELS cuda TIMEOUT 600)
