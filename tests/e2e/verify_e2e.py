@@ -59,7 +59,7 @@ def main():
     failures.check("tick 70 is the first that differs" in stderr and "all fields are equal again" in stderr,
                    "names the tick, and that the state is the recorded one: " + stderr.strip())
     _, stderr = verify("an input that is wrong", DESYNC, bad_input)
-    failures.check("tick 70 is the first that differs" in stderr and "by tick 120" in stderr and "master differ" in stderr,
+    failures.check("tick 70 is the first that differs" in stderr and "by tick 120" in stderr and "master and tables differ" in stderr,
                    "names the tick and the fields that differ by the next kept one: " + stderr.strip())
     _, stderr = verify("beside another build", DESYNC, bad_input, "--reference", program)
     failures.check("so it is on both sides" in stderr, "says that both agree")
