@@ -14,7 +14,7 @@ play_packages=(
 check_packages=(
   libgtest-dev libbenchmark-dev librapidcheck-dev libnanoflann-dev libboost-context-dev
   xvfb xauth xdotool imagemagick
-  clang binutils python3 git util-linux
+  clang libclang-rt-dev binutils python3 git util-linux
 )
 
 case "${1:-}" in

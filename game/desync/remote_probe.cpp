@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "game/desync/child_process.h"
 #include "game/desync/probe_protocol.h"
+#include "game/processes/child_process.h"
 
 namespace gw {
 
@@ -56,9 +56,13 @@ auto RemoteProbe::ask(const json& question, const Read& read) {
     }
     return read(reply);
   } catch (const json::exception&) {
-    throw ProbeError(
-        fmt::format("{} answered something else than was asked for; use a build of the same version", program_));
+    throw answeredElse();
   }
+}
+
+ProbeError RemoteProbe::answeredElse() const {
+  return ProbeError(
+      fmt::format("{} answered something else than was asked for; use a build of the same version", program_));
 }
 
 namespace {
@@ -78,7 +82,9 @@ void RemoteProbe::goBack() {
   ask({{"do", "goBack"}}, kNothing);
 }
 std::vector<uint64_t> RemoteProbe::play(uint32_t ticks) {
-  return ask({{"do", "play"}, {"ticks", ticks}}, kHashes);
+  std::vector<uint64_t> hashes = ask({{"do", "play"}, {"ticks", ticks}}, kHashes);
+  if (hashes.size() != ticks) throw answeredElse();
+  return hashes;
 }
 std::vector<StageHashes> RemoteProbe::playByStages() {
   return ask({{"do", "playByStages"}}, [](const json& reply) { return stagesFrom(reply.at("stages")); });

@@ -38,6 +38,7 @@ class RemoteProbe final : public Probe {
  private:
   template <class Read>
   auto ask(const nlohmann::json& question, const Read& read);
+  ProbeError answeredElse() const;
 
   std::string program_, name_;
   std::unique_ptr<ChildProcess> child_;

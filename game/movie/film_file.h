@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "game/movie/fed_process.h"
+#include "game/processes/fed_process.h"
 #include "game/movie/frame_sink.h"
 
 namespace gw {

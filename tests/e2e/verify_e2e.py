@@ -4,9 +4,13 @@
     verify_e2e.py GPUWARS FORGE_REPLAY FOLDER
 """
 import json
+import os
 import shutil
+import signal
 import stat
+import subprocess
 import sys
+import time
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -77,6 +81,15 @@ def main():
     failures.check(len(cases) == 3 and len(cases[0]) == 0 and "tick 70" in cases[1].find("failure").get("message")
                    and "no such file" in cases[2].find("error").text, "and tells each")
 
+    # Ctrl-C goes to the whole foreground group; the reference stands in its own and is asked to end.
+    long = Path(__file__).resolve().parents[2] / "replays/long_watch.gwr"
+    child = subprocess.Popen([str(part) for part in (program, "verify", long, "--device", "cpu", "--reference", program)],
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    time.sleep(1.5)
+    os.killpg(child.pid, signal.SIGINT)
+    _, stderr = child.communicate(timeout=60)
+    failures.check(child.returncode == FAILED and "interrupted after" in stderr, f"Ctrl-C is said as such: {stderr.strip()!r}")
+
     # References that are none.
     refused("no such program", FAILED, good, "--reference", folder / "none", says=["cannot be started", "give"])
     refused("a program that ends", FAILED, good, "--reference", script(folder / "ends", "exit 0\n"), says=["ended before"])
@@ -87,6 +100,9 @@ def main():
             script(folder / "dies", "echo '{\"gpuwarsProbe\":1,\"name\":\"x\"}'; read line\n"), says=["ended while"])
     refused("one that lies", FAILED, good, "--reference",
             script(folder / "lies", "echo '{\"gpuwarsProbe\":1,\"name\":\"x\"}'; while read line; do echo '{}'; done\n"),
+            says=["answered something else"])
+    refused("one that says too little", FAILED, good, "--reference",
+            script(folder / "little", "echo '{\"gpuwarsProbe\":1,\"name\":\"x\"}'; while read line; do echo '{\"hashes\":[1]}'; done\n"),
             says=["answered something else"])
     refused("one that fails", FAILED, good, "--reference",
             script(folder / "fails", "echo '{\"gpuwarsProbe\":1,\"name\":\"x\"}'; while read line; do echo '{\"error\":\"no\"}'; done\n"),

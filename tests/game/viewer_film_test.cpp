@@ -7,7 +7,7 @@
 #include <random>
 
 #include "game/files/atomic_file.h"
-#include "game/movie/fed_process.h"
+#include "game/processes/fed_process.h"
 #include "game/movie/film_file.h"
 #include "game/movie/frame_times.h"
 #include "game/movie/picture_folder.h"

@@ -1,4 +1,4 @@
-// Another program that is fed by its standard input, run from an argument vector: no shell ever sees a file name.
+// Another program that is fed by its standard input.
 #pragma once
 
 #include <sys/types.h>
@@ -12,8 +12,7 @@ namespace gw {
 
 class FedProcess {
  public:
-  // Throws std::system_error when it cannot be started; ENOENT when it is not installed. It stands in a group of its
-  // own, so that Ctrl-C at the terminal is ours alone.
+  // Throws std::system_error as spawn() does.
   explicit FedProcess(const std::vector<std::string>& arguments);
   ~FedProcess();  // one that was not waited for is killed
   FedProcess(const FedProcess&) = delete;

@@ -1,15 +1,13 @@
-#include "game/desync/child_process.h"
+#include "game/processes/child_process.h"
 
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
 
-extern char** environ;
+#include "game/processes/spawn.h"
 
 namespace gw {
 namespace {
@@ -31,24 +29,17 @@ struct Pair {
 }  // namespace
 
 ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
-  std::string name = program.string();
-  std::vector<std::string> words = arguments;
-  std::vector<char*> argv{name.data()};
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-
+  std::vector<std::string> words{program.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
   const Pair pair;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pair.theirs, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, pair.theirs, STDOUT_FILENO);
-  const int error = posix_spawnp(&process_, name.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(pair.theirs);
-  if (error != 0) {
+  try {
+    process_ = spawn(words, {pair.theirs, pair.theirs});
+  } catch (const std::system_error&) {
+    close(pair.theirs);
     close(pair.own);
-    throw std::system_error(error, std::generic_category());
+    throw;
   }
+  close(pair.theirs);
   socket_ = pair.own;
   output_ = fdopen(socket_, "r");
 }
@@ -56,9 +47,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
 ChildProcess::~ChildProcess() {
   shutdown(socket_, SHUT_WR);
   std::fclose(output_);
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
+  waitFor(process_);
 }
 
 bool ChildProcess::writeLine(const std::string& line) {

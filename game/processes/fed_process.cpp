@@ -1,16 +1,15 @@
-#include "game/movie/fed_process.h"
+#include "game/processes/fed_process.h"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <system_error>
+#include <utility>
 
-extern char** environ;
+#include "game/processes/spawn.h"
 
 namespace gw {
 
@@ -21,30 +20,15 @@ FedProcess::FedProcess(const std::vector<std::string>& arguments) {
   if (output_ < 0 || pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category());
   input_ = ends[1];
 
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, output_, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, output_, STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t usual;
-  sigemptyset(&usual);
-  sigaddset(&usual, SIGPIPE);
-  posix_spawnattr_setsigdefault(&attributes, &usual);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-
-  std::vector<char*> words;
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-  words.push_back(nullptr);
-  const int failed = posix_spawnp(&pid_, words[0], &files, &attributes, words.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  posix_spawnattr_destroy(&attributes);
+  try {
+    pid_ = spawn(arguments, {ends[0], output_, output_});
+  } catch (const std::system_error&) {
+    close(ends[0]);
+    closeInput();
+    close(output_);
+    throw;
+  }
   close(ends[0]);
-  if (failed == 0) return;
-  closeInput();
-  close(output_);
-  throw std::system_error(failed, std::generic_category());
 }
 
 FedProcess::~FedProcess() {
@@ -73,11 +57,7 @@ bool FedProcess::write(std::span<const uint8_t> bytes) {
 
 int FedProcess::wait() {
   closeInput();
-  int status = 0;
-  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-  }
-  pid_ = -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return waitFor(std::exchange(pid_, -1));
 }
 
 std::string FedProcess::output() const {
