@@ -109,6 +109,10 @@ CandidateCount Failover::countCandidates() {
   return surviving([&] { return device_->countCandidates(); });
 }
 
+Census Failover::census() {
+  return surviving([&] { return device_->census(); });
+}
+
 void Failover::enableStageTimes(bool on) {
   timed_ = on;
   surviving([&] { device_->enableStageTimes(on); });

@@ -32,10 +32,14 @@ class Failover : public Simulation {
   std::vector<Particle> particles() const override;
   std::optional<EntityRecord> inspect(float x, float y, float radius_m) override;
   CandidateCount countCandidates() override;
+  Census census() override;
   void enableStageTimes(bool on) override;
+  bool timesStages() const override { return timed_; }
   std::vector<StageTime> stageTimes() const override { return device_->stageTimes(); }
   Inspection& inspection() override { return device_->inspection(); }
   uint32_t launchesPerTick() const override { return device_->launchesPerTick(); }
+  const SimulationConfig& config() const override { return device_->config(); }
+  size_t deviceBytes() const override { return device_->deviceBytes(); }
   uint32_t capacity() const override { return device_->capacity(); }
   float worldWidth_m() const override { return device_->worldWidth_m(); }
   float worldHeight_m() const override { return device_->worldHeight_m(); }

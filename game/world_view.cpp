@@ -35,8 +35,8 @@ std::unique_ptr<Stream<Vertex>> makeStream(uint32_t capacity, [[maybe_unused]] b
   return std::make_unique<MappedStream<Vertex>>(capacity);
 }
 
-DrawView withEdge(const Camera& camera) {
-  return {camera.centre_x, camera.centre_y, camera.halfWidth_m + kEdge_m, camera.halfHeight_m + kEdge_m};
+DrawView withEdge(const Camera& camera, Colouring colouring) {
+  return {camera.centre_x, camera.centre_y, camera.halfWidth_m + kEdge_m, camera.halfHeight_m + kEdge_m, colouring};
 }
 
 Moment momentOf(const Run& run, const WorldFrame& frame) {
@@ -111,7 +111,7 @@ void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, c
   view.centre_x += shake.x;
   view.centre_y += shake.y;
 
-  const auto [region, particles] = fill(simulation, withEdge(view), frame);
+  const auto [region, particles] = fill(simulation, withEdge(view, frame.colouring), frame);
   simulation.park();
 
   drawBackground(run, rules, view, frame);

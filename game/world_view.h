@@ -27,6 +27,7 @@ struct WorldFrame {
   float brightness = 1;      // of the world; less behind menus
   float afterEnd_ticks = 0;  // once the run is over nothing moves but its effects: for this long so far
   Settings::Effects effects{};
+  Colouring colouring = Colouring::types;
 };
 
 class WorldView {

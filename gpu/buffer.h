@@ -17,9 +17,13 @@ class Buffer {
  public:
   Buffer() = default;
   Buffer(Queue& queue, size_t count)
-      : queue_(&queue), data_(static_cast<T*>(allocateBytes(queue, count * sizeof(T)))), count_(count) {}
+      : queue_(&queue), data_(static_cast<T*>(allocateBytes(queue, count * sizeof(T)))), count_(count) {
+    queue.bytes += count * sizeof(T);
+  }
   ~Buffer() {
-    if (data_) releaseBytes(*queue_, data_);
+    if (!data_) return;
+    queue_->bytes -= count_ * sizeof(T);
+    releaseBytes(*queue_, data_);
   }
   Buffer(Buffer&& other) noexcept { swap(other); }
   Buffer& operator=(Buffer&& other) noexcept {

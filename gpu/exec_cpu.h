@@ -24,6 +24,7 @@ class Queue {
   GuardedMemory memory;
   VisitOrder order;
   uint64_t launches = 0;  // so far
+  size_t bytes = 0;       // in its buffers, now
 };
 
 // The i-th of n things to visit. Both factors are prime and larger than any n used with them, so the

@@ -38,6 +38,7 @@ class Queue {
   uint32_t blockSize;
   bool checksLaunches;
   uint64_t launches = 0;  // so far; captured ones count once
+  size_t bytes = 0;       // in its buffers, now
   uint64_t pending = 0;   // kernels that were to run since the queue was waited for; those of a graph at each replay
 };
 

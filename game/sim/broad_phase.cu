@@ -7,9 +7,6 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-// Of both uniform grids: every type sees as far as this, and it is what most searches ask for.
-constexpr float kBinSize_m = 4.0f;
-
 // The number of cells is the game's capacity, a rule: replays depend on it, so this stays as it is whatever
 // chooseDimensions() learns. Whole rows, about 24 times as long as columns.
 NDimensions dimensionsForRows(uint32_t n) {
@@ -89,6 +86,11 @@ void Neighbourhood::arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
   } else {
     ngrid_.rebuild(queue, d_cells, d_cellOf);
   }
+}
+
+std::optional<uint32_t> Neighbourhood::misaligned(Queue& queue, const Cell* d_cells) {
+  if (broadPhase_ != BroadPhase::ngrid) return {};
+  return ngrid_.report(queue, d_cells).misaligned;
 }
 
 void Neighbourhood::maintainNGrid(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {

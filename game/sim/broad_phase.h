@@ -13,6 +13,9 @@
 
 namespace gw::GW_DEVICE {
 
+// Of both uniform grids: every type sees as far as this, and it is what most searches ask for.
+inline constexpr float kBinSize_m = 4.0f;
+
 // With an inexact gather the arrangement of the cells is felt: it is state.
 inline bool isArrangementState(Gather gather) {
   return gather != Gather::exact;
@@ -28,6 +31,13 @@ struct Searches {
   GridGather<Cell> grid;
   HashedGather<Cell> hashed;
 };
+
+// The row of the NGrid that a cell is in; of other structures, the row of bins that a place in it falls into. For
+// looks.
+GW_FN uint32_t rowOf(const Searches& searches, uint32_t cell, float y) {
+  if (searches.broadPhase == BroadPhase::ngrid) return cell / searches.ngrid.columns;
+  return uint32_t(int32_t(clamp(y / kBinSize_m, 0.0f, 65535.0f)));
+}
 
 // Launches with the exact search that was asked for.
 template <class Launch>
@@ -82,6 +92,10 @@ class Neighbourhood {
   // After a start or a restored snapshot: from any arrangement. A gather that feels the arrangement gets one that
   // suits it. Allocates while it runs, so it has no place in a tick.
   void arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
+
+  // The living that stand before their predecessor on a row or a column of the NGrid (NGrid::report); none: it is
+  // another structure. Waits for the queue.
+  std::optional<uint32_t> misaligned(Queue& queue, const Cell* d_cells);
 
   // Frozen rows only: whether the next maintain() sorts in full. Whoever captures ticks captures both kinds.
   void sortInFull(bool next) { sortInFull_ = next; }

@@ -1,4 +1,5 @@
 #include "game/sim/candidates.h"
+#include "gpu/stage_timer.h"
 
 namespace gw::GW_DEVICE {
 namespace {
@@ -25,11 +26,16 @@ struct CountTests {
 }  // namespace
 
 CandidateCount Candidates::run(Queue& queue, const View& view) {
-  withSearch(view.seen, [&](auto search) {
-    forEach(queue, Count{view.capacity}, CountTests<decltype(search)>{tested_.data(), found_.data(), view, search});
+  StageTimer timer;
+  timer.enable(true);
+  queue.synchronise();  // what came before is not the search's
+  timer.time(queue, "gather", [&] {
+    withSearch(view.seen, [&](auto search) {
+      forEach(queue, Count{view.capacity}, CountTests<decltype(search)>{tested_.data(), found_.data(), view, search});
+    });
   });
   const uint64_t tests = sumOf(queue, tested_);
-  return {tests & ((1ull << 40) - 1), sumOf(queue, found_), tests >> 40};
+  return {tests & ((1ull << 40) - 1), sumOf(queue, found_), tests >> 40, timer.stages().front().total_ms};
 }
 
 uint64_t Candidates::sumOf(Queue& queue, const Buffer<uint64_t>& words) {

@@ -12,7 +12,8 @@ class Candidates {
       : tested_(queue, capacity), found_(queue, capacity), sum_(queue, capacity), total_(queue, 1) {}
 
   // Lets every living enemy gather within its vision around where it stood when the last tick was
-  // maintained, and sums pair tests and neighbours, itself not counted.
+  // maintained, and sums pair tests and neighbours, itself not counted. Waits for the queue, and times the search
+  // alone.
   CandidateCount run(Queue& queue, const View& view);
 
  private:

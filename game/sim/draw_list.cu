@@ -1,5 +1,6 @@
 #include "game/sim/draw_list.h"
 #include "game/sim/entity_flags.h"
+#include "game/sim/row_colour.h"
 #include "gpu/exact_math.h"
 
 namespace gw::GW_DEVICE {
@@ -83,6 +84,7 @@ struct WriteSprites {
   const uint32_t* blockFirst;
   View v;
   uint32_t blocks;
+  Colouring colouring;
 
   GW_BODY void operator()(uint32_t id) const {
     const uint32_t left = blockFirst[kLayers * blocks];
@@ -106,7 +108,8 @@ struct WriteSprites {
   }
 
   GW_BODY SpriteVertex sprite(uint32_t id) const {
-    const Cell cell = v.cells[v.cellOf[id]];
+    const uint32_t place = v.cellOf[id];
+    const Cell cell = v.cells[place];
     const Float4 motion = v.velocityPrevious[id];
     const uint32_t age = v.master->tick - v.birthTick[id];
     SpriteVertex out{};
@@ -139,6 +142,7 @@ struct WriteSprites {
       out.shapeFlags = packed(Shape::bit, 0, float(life) / float(v.tables->rules.bit.life_ticks), age);
       out.colour = 0x7CFFCB;
     }
+    if (colouring == Colouring::rows) out.colour = rowColour(rowOf(v.near, place, cell.y));
     return out;
   }
 
@@ -172,7 +176,7 @@ void DrawList::run(Queue& queue, const View& view, const DrawView& window, const
   forEach(queue, Count{blocks}, CountBlocks{within_.data(), blockFirst_.data(), layerBits_.data(), capacity_, blocks});
   forEach(queue, Count{1}, PlaceBlocks{blockFirst_.data(), target, blocks});
   forEach(queue, Count{capacity_ + 1},
-          WriteSprites{target, layerBits_.data(), within_.data(), blockFirst_.data(), view, blocks});
+          WriteSprites{target, layerBits_.data(), within_.data(), blockFirst_.data(), view, blocks, window.colouring});
 }
 
 }  // namespace gw::GW_DEVICE

@@ -128,9 +128,14 @@ struct Snapshot {
   std::vector<uint32_t> arrangement;
 };
 
+// What sprites are coloured by: their type, or the row of the grid that they stand in, for whoever looks at how the
+// grid lies in the world.
+enum class Colouring : uint32_t { types, rows };
+
 // Which part of the world the draw list covers.
 struct DrawView {
   float centre_x, centre_y, halfWidth_m, halfHeight_m;
+  Colouring colouring = Colouring::types;  // of all but the ship
 };
 
 // Where the draw list goes: addresses that the device can write (a persistent map on cpu, a mapped
@@ -157,6 +162,17 @@ struct CandidateCount {
   uint64_t tested = 0;    // pair tests, the entity itself not counted
   uint64_t found = 0;     // of those, neighbours
   uint64_t entities = 0;  // enemies that searched
+  double search_ms = 0;   // what searching took, without adding up; on cuda with the launch
+};
+
+// Who lives, counted on the device.
+struct Census {
+  uint32_t enemies[kMaxEnemyTypes] = {};  // by type; the announced ones too, the dying ones not
+  uint32_t shots = 0, bits = 0;
+  // Who stood in the grid when neighbours were searched last; of those, for an NGrid, who stood before their
+  // predecessor on a row or a column.
+  uint32_t searched = 0;
+  std::optional<uint32_t> misaligned{};
 };
 
 class Inspection;
@@ -192,8 +208,11 @@ class Simulation {
 
   // How many pairs the broad phase tests when every live enemy gathers within its vision.
   virtual CandidateCount countCandidates() = 0;
+  // Not a tick stage; changes nothing.
+  virtual Census census() = 0;
 
   virtual void enableStageTimes(bool on) = 0;
+  virtual bool timesStages() const = 0;
   virtual std::vector<StageTime> stageTimes() const = 0;
 
   // The game laid open (game/sim/inspection.h); lives as long as its device does.
@@ -202,7 +221,10 @@ class Simulation {
   // Kernels of the last tick that was put together. Copies of the records and events are nodes beside them.
   virtual uint32_t launchesPerTick() const = 0;
 
-  virtual uint32_t capacity() const = 0;  // ids
+  // What it was made of: enough to make the same game again.
+  virtual const SimulationConfig& config() const = 0;
+  virtual size_t deviceBytes() const = 0;  // of the device's memory, held now
+  virtual uint32_t capacity() const = 0;   // ids
   virtual float worldWidth_m() const = 0;
   virtual float worldHeight_m() const = 0;
   virtual std::string deviceName() const = 0;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "game/sim/candidates.h"
+#include "game/sim/census.h"
 #include "game/sim/draw_list.h"
 #include "game/sim/inspection.h"
 #include "game/sim/particle_list.h"
@@ -41,7 +42,8 @@ class DeviceSimulation final : public Simulation, private Inspection {
         inputs_(queue_, kTicksInFlight),
         reports_(queue_, kTicksInFlight),
         drawList_(queue_, state_.limits().capacity),
-        candidates_(queue_, state_.limits().capacity) {
+        candidates_(queue_, state_.limits().capacity),
+        census_(queue_) {
     if (config_.particles) {
       particles_ = Particles(queue_, state_.limits().capacity);
       particleList_ = ParticleList(queue_, kParticleRing);
@@ -84,6 +86,8 @@ class DeviceSimulation final : public Simulation, private Inspection {
 
   void restore(const Snapshot& snapshot) override {
     restoreSnapshot(queue_, state_, next(), snapshot);
+    rowsWidened_ = 0.0f;  // what reports of earlier ticks say is of rows that are gone
+    sorted_ = launched_;
     if (config_.particles) particles_.clear();  // they are no state: what flew belongs to another run
   }
 
@@ -117,6 +121,8 @@ class DeviceSimulation final : public Simulation, private Inspection {
 
   CandidateCount countCandidates() override { return candidates_.run(queue_, next()); }
 
+  Census census() override { return census_.run(queue_, next(), state_.neighbourhood()); }
+
   void enableStageTimes(bool on) override {
     timer_.enable(on);
     if (on && !timedCaptured_) {
@@ -124,6 +130,8 @@ class DeviceSimulation final : public Simulation, private Inspection {
       timedCaptured_ = true;
     }
   }
+
+  bool timesStages() const override { return timer_.enabled(); }
 
   std::vector<StageTime> stageTimes() const override {
     std::vector<StageTime> times;
@@ -134,6 +142,8 @@ class DeviceSimulation final : public Simulation, private Inspection {
   Inspection& inspection() override { return *this; }
 
   uint32_t launchesPerTick() const override { return launchesPerTick_; }
+  const SimulationConfig& config() const override { return config_; }
+  size_t deviceBytes() const override { return queue_.bytes; }
   uint32_t capacity() const override { return state_.limits().capacity; }
   float worldWidth_m() const override { return state_.limits().width_m; }
   float worldHeight_m() const override { return state_.limits().height_m; }
@@ -254,6 +264,7 @@ class DeviceSimulation final : public Simulation, private Inspection {
   Particles particles_;
   ParticleList particleList_;
   Candidates candidates_;
+  CensusTaker census_;
   CapturedTicks plain_, timed_;
   bool timedCaptured_ = false;
   std::array<Fence, kTicksInFlight> fences_;

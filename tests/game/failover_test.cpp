@@ -27,10 +27,14 @@ class FailingDevice final : public Simulation {
     return call().inspect(x, y, radius_m);
   }
   CandidateCount countCandidates() override { return call().countCandidates(); }
+  Census census() override { return call().census(); }
   Inspection& inspection() override { return call().inspection(); }
   void enableStageTimes(bool on) override { call().enableStageTimes(on); }
+  bool timesStages() const override { return real_->timesStages(); }
   std::vector<StageTime> stageTimes() const override { return real_->stageTimes(); }
   uint32_t launchesPerTick() const override { return real_->launchesPerTick(); }
+  const SimulationConfig& config() const override { return real_->config(); }
+  size_t deviceBytes() const override { return real_->deviceBytes(); }
   uint32_t capacity() const override { return real_->capacity(); }
   float worldWidth_m() const override { return real_->worldWidth_m(); }
   float worldHeight_m() const override { return real_->worldHeight_m(); }

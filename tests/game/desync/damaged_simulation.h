@@ -36,10 +36,14 @@ class DamagedSimulation final : public Simulation, private Inspection {
   std::vector<Particle> particles() const override { return real_->particles(); }
   std::optional<EntityRecord> inspect(float x, float y, float r) override { return real_->inspect(x, y, r); }
   CandidateCount countCandidates() override { return real_->countCandidates(); }
+  Census census() override { return real_->census(); }
   Inspection& inspection() override { return *this; }
   void enableStageTimes(bool on) override { real_->enableStageTimes(on); }
+  bool timesStages() const override { return real_->timesStages(); }
   std::vector<StageTime> stageTimes() const override { return real_->stageTimes(); }
   uint32_t launchesPerTick() const override { return real_->launchesPerTick(); }
+  const SimulationConfig& config() const override { return real_->config(); }
+  size_t deviceBytes() const override { return real_->deviceBytes(); }
   uint32_t capacity() const override { return real_->capacity(); }
   float worldWidth_m() const override { return real_->worldWidth_m(); }
   float worldHeight_m() const override { return real_->worldHeight_m(); }

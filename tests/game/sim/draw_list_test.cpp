@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <set>
 
+#include "game/sim/row_colour.h"
 #include "tests/game/sim/scenes.h"
 #include "tests/game/sim/stage_fixture.h"
 
@@ -112,6 +115,50 @@ TEST_F(draw_list, says_how_an_enemy_looks) {
   EXPECT_EQ(h.shapeFlags, uint32_t(Shape::hexagon) | uint32_t(kSpriteDamaged) << 8 | 127u << 16 | 255u << 24);
   EXPECT_EQ(q.angle_rad, 0.0f);  // a rectangle is drawn as it hits
   EXPECT_EQ(q.shapeFlags, uint32_t(Shape::square) | uint32_t(kSpriteAnnounced) << 8 | 255u << 16 | 20u << 24);
+}
+
+TEST_F(draw_list, colours_by_rows_on_demand_and_changes_nothing_else) {
+  Dice dice(4);
+  addCrowd(world, 250, 100, 100, 50.0f, dice);
+  const auto plain = run(everything);
+  DrawView byRows = everything;
+  byRows.colouring = Colouring::rows;
+  auto coloured = run(byRows);
+  ASSERT_EQ(coloured.size(), plain.size());
+  EXPECT_EQ(coloured.back().colour, plain.back().colour);  // the ship stands in no cell
+  const auto cells = fixture.state().cells[0].download();
+  const uint32_t columns = fixture.view().near.ngrid.columns;
+  std::set<uint32_t> colours;
+  for (size_t i = 0; i + 1 < plain.size(); ++i) {
+    const auto cell =
+        std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.x == plain[i].x && c.y == plain[i].y; });
+    ASSERT_NE(cell, cells.end());
+    const uint32_t colour = cpu::rowColour(uint32_t(cell - cells.begin()) / columns);
+    EXPECT_EQ(coloured[i].colour, colour);
+    colours.insert(colour);
+    coloured[i].colour = plain[i].colour;
+    EXPECT_EQ(std::memcmp(&coloured[i], &plain[i], sizeof plain[i]), 0);
+  }
+  EXPECT_GT(colours.size(), 1u);
+}
+
+TEST_F(draw_list, colours_by_rows_of_bins_where_the_grid_has_no_rows) {
+  SimulationConfig config = stageConfig();
+  for (const BroadPhase broadPhase : {BroadPhase::grid, BroadPhase::gridHashed, BroadPhase::bruteForce}) {
+    config.broadPhase = broadPhase;
+    StageFixture other(config);
+    world.entities.clear();
+    world.add(enemyAt(rules, 0, 2, 40.0f, 3.9f));
+    world.add(enemyAt(rules, 1, 2, 90.0f, 4.1f));
+    world.add(enemyAt(rules, 2, 2, 10.0f, 7.9f));
+    other.put(world);
+    std::vector<SpriteVertex> vertices(4);
+    list.run(other.queue(), other.view(), {96.0f, 54.0f, 96.0f, 54.0f, Colouring::rows},
+             {vertices.data(), 4, &command});
+    EXPECT_EQ(vertices[0].colour, cpu::rowColour(0));
+    EXPECT_EQ(vertices[1].colour, cpu::rowColour(1));
+    EXPECT_EQ(vertices[2].colour, cpu::rowColour(1));
+  }
 }
 
 TEST_F(draw_list, says_how_shots_bits_and_the_ship_look) {

@@ -147,7 +147,8 @@ TEST(game, looking_does_not_touch_it) {
     simulation->enableStageTimes(t % 3 == 0);
     simulation->tick(inputs[t]);
     ASSERT_EQ(simulation->report().hash, wanted[t]) << t;
-    simulation->drawList({96.0f, 54.0f, 40.0f, 20.0f}, {sprites.data(), 2000, &command});
+    const Colouring colouring = t % 2 == 0 ? Colouring::types : Colouring::rows;
+    simulation->drawList({96.0f, 54.0f, 40.0f, 20.0f, colouring}, {sprites.data(), 2000, &command});
     EXPECT_GT(simulation->countCandidates().tested, 0u);
     simulation->snapshot();
     simulation->park();

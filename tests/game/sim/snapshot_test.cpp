@@ -105,6 +105,37 @@ TEST(snapshot, what_does_not_fit_is_refused_and_changes_nothing) {
   refused("a place that is no number", [](Snapshot& s) { s.entities[5].y = std::numeric_limits<float>::quiet_NaN(); });
 }
 
+// Frozen rows are sorted in full when a report says that they have widened. Such a report of the ticks before a
+// restored snapshot once had the first tick sort a grid with nobody in it, and the horde of the next tick stood in its
+// rows by id: the same game, with four times the candidates.
+TEST(snapshot, of_the_start_leaves_no_rows_to_sort_for_what_was_before) {
+  SimulationConfig config = stageConfig(2500);
+  config.autopilot = Autopilot::expert;
+  config.mode = Mode::swarm;
+  const auto fresh = cpu::makeSimulation(config);
+  const Snapshot start = fresh->snapshot();
+  play(*fresh, 200);
+  const Snapshot later = fresh->snapshot();
+  std::vector<uint64_t> wanted;
+  fresh->restore(start);
+  for (uint32_t t = 0; t < 10; ++t) {
+    play(*fresh, 1);
+    wanted.push_back(fresh->countCandidates().tested);
+  }
+  bool widened = false;
+  for (uint32_t before = 1; before < 6; ++before) {
+    const auto simulation = cpu::makeSimulation(config);
+    simulation->restore(later);
+    widened |= play(*simulation, before).back().rowsWidened > 1.05f;
+    simulation->restore(start);
+    for (uint32_t t = 0; t < 10; ++t) {
+      play(*simulation, 1);
+      EXPECT_EQ(simulation->countCandidates().tested, wanted[t]) << "tick " << t + 1 << " after " << before;
+    }
+  }
+  EXPECT_TRUE(widened) << "no report said so: this shows nothing";
+}
+
 TEST(snapshot, of_a_larger_game_is_refused_by_a_smaller_one) {
   SimulationConfig large = stageConfig(8192);
   const auto small = cpu::makeSimulation(stageConfig(64));
