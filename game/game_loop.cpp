@@ -6,13 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <thread>
 #include <utility>
 
 #include "game/interrupt.h"
 #include "game/ui/theme.h"
 #include "game/user_error.h"
+#include "game/window_display.h"
 
 namespace gw {
 
@@ -21,22 +21,6 @@ namespace {
 double clock_s() {
   using namespace std::chrono;
   return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
-
-bool set(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value != nullptr && *value != '\0';
-}
-
-// Decides what SDL would find out noisily: its Wayland client complains on stderr when there is none.
-void chooseDisplay() {
-  if (set("SDL_VIDEODRIVER") || set("WAYLAND_DISPLAY")) return;
-  if (!set("DISPLAY")) {
-    throw UserError(ExitCode::failedRun,
-                    "No display: neither DISPLAY nor WAYLAND_DISPLAY is set; use --headless, or start GpuWars in a "
-                    "desktop session.");
-  }
-  SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
 }
 
 float aspectOf(PixelSize size) {
@@ -60,6 +44,7 @@ GameLoop::GameLoop(const Options& options, const Settings& settings)
   } catch (const std::runtime_error& error) {
     throw UserError(ExitCode::failedRun, error.what());
   }
+  instruments_ = std::make_unique<Instruments>(*context_);
   pads_ = std::make_unique<PadDevices>();
   if (!pads_->problem().empty()) std::fprintf(stderr, "%s\n", pads_->problem().c_str());
   input_.setBindings(settings.bindings);
@@ -70,7 +55,8 @@ GameLoop::GameLoop(const Options& options, const Settings& settings)
 }
 
 GameLoop::~GameLoop() {
-  view_.reset();  // its GL objects go before their context
+  view_.reset();  // their GL objects go before their context
+  instruments_.reset();
 }
 
 void GameLoop::prepare(const std::filesystem::path& assets, uint32_t capacity) {
@@ -97,7 +83,7 @@ bool GameLoop::beginFrame() {
   SDL_Event event;
   while (SDL_PollEvent(&event) != 0) {
     if (event.type == SDL_QUIT) closed_ = true;
-    if (listener_ && listener_(event)) continue;
+    if (instruments_->handle(event) || (listener_ && listener_(event))) continue;
     pads_->handle(event);
     input_.handle(event);
   }
@@ -171,6 +157,7 @@ void GameLoop::moveCamera(const Run& run, float alpha, float aspect) {
 }
 
 void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens) {
+  instruments_->work(run, now_s_);
   const PixelSize size = context_->size();
   const float alpha = pacer_.alpha();
   if (run.last().tick == 0 && !place_) {
@@ -186,7 +173,12 @@ void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const Wo
   frame.afterEnd_ticks = run.over() ? float((now_s_ - overSince_s_) * kTicksPerSecond) : 0;
   frame.effects = effects_;
   if (pacer_.speed() > 1) frame.effects.flash = 0;  // they would come more often than is safe to look at
-  view_->draw(run, rules, *camera_, frame, screens);
+  frame.colouring = instruments_->colouring();
+  view_->draw(run, rules, *camera_, frame, [&](Canvas& canvas) {
+    screens(canvas);
+    instruments_->drawNotice(canvas, now_s_);
+  });
+  instruments_->drawOverlay(run.last(), rules, realFps_, cursorShown_);
   context_->swap();
   limitFrames();
   countFrame();
@@ -198,6 +190,7 @@ void GameLoop::updateSound(Scene scene) {
 
 void GameLoop::startAfresh(Run& run) {
   camera_ = std::make_unique<FollowCamera>(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
+  instruments_->forget();
   pacer_ = TickPacer();  // its clock starts with the next frame: loading is not playing
 }
 

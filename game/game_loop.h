@@ -11,6 +11,7 @@
 #include "game/command_line.h"
 #include "game/input/pad_devices.h"
 #include "game/input/player_input.h"
+#include "game/instruments/instruments.h"
 #include "game/run.h"
 #include "game/settings/settings.h"
 #include "game/tick_pacer.h"
@@ -37,7 +38,10 @@ class GameLoop {
   bool fullscreen() const { return fullscreen_; }
   bool muted() const { return sound_.muted; }  // --mute is not the player's choice
 
-  // Is shown every event before keyboard, mouse and pads are; true: it goes no further.
+  // How F5 makes another simulation of the run (Instruments).
+  void makeBy(MakeSimulation make) { instruments_->makeBy(std::move(make)); }
+
+  // Is shown every event but those of the instruments before keyboard, mouse and pads are; true: it goes no further.
   using Listener = std::function<bool(const SDL_Event&)>;
   void listenFirst(Listener listener) { listener_ = std::move(listener); }
 
@@ -90,6 +94,7 @@ class GameLoop {
   void countFrame();
 
   std::unique_ptr<SdlContext> context_;
+  std::unique_ptr<Instruments> instruments_;
   std::unique_ptr<WorldView> view_;
   std::unique_ptr<FollowCamera> camera_;
   std::unique_ptr<Audio> audio_;

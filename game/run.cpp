@@ -1,5 +1,6 @@
 #include "game/run.h"
 
+#include <stdexcept>
 #include <utility>
 
 namespace gw {
@@ -27,6 +28,11 @@ void Run::restore(const RunMoment& moment) {
   simulation_->restore(moment.state);
   monitor_ = moment.monitor;
   effects_ = moment.effects;
+}
+
+void Run::replaceSimulation(std::unique_ptr<Simulation> simulation) {
+  if (queued_ > 0) throw std::logic_error("Ticks are queued: collect them before the simulation is replaced.");
+  simulation_ = std::move(simulation);
 }
 
 void Run::finishRecording() {

@@ -42,6 +42,9 @@ class Run {
   RunMoment moment() { return {simulation_->snapshot(), monitor_, effects_}; }
   void restore(const RunMoment& moment);
 
+  // Goes on with another simulation of the same game at the same tick; none may be queued.
+  void replaceSimulation(std::unique_ptr<Simulation> simulation);
+
   // Writes the recording, if there is one and a tick was played; once. At the end of the run this has
   // been done already, so that nothing that happens later can lose it. Throws FileError.
   void finishRecording();

@@ -52,6 +52,7 @@ class PlaySession {
     screen_ = atOnce ? Screen::play : Screen::title;
     atOnce ? startRun() : startAttract();
     loop_.prepare(factory_.assets(), run_->simulation().capacity());
+    loop_.makeBy([this](const SimulationConfig& config) { return factory_.makeAgain(config); });
   }
 
   ExitCode play() {

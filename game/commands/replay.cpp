@@ -76,6 +76,7 @@ class ReplaySession {
     Simulation& simulation = viewer_->run().simulation();
     camera_.emplace(simulation.worldWidth_m(), simulation.worldHeight_m());
     loop_.prepare(findAssetFolder(options.assetsDir), simulation.capacity());
+    loop_.makeBy([this](const SimulationConfig& config) { return makeLastingSimulation(device_, config); });
     loop_.startAfresh(viewer_->run());
     loop_.listenFirst([this](const SDL_Event& event) { return keys_.handle(event); });
     loop_.pacer().setSpeed(speed_);

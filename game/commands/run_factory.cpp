@@ -67,6 +67,10 @@ std::unique_ptr<Run> RunFactory::make(Mode mode, uint64_t seed, Autopilot autopi
   return std::make_unique<Run>(makeLastingSimulation(device_, config), std::move(recorder));
 }
 
+std::unique_ptr<Simulation> RunFactory::makeAgain(const SimulationConfig& config) const {
+  return makeLastingSimulation(device_, config);
+}
+
 uint64_t randomSeed() {
   std::random_device device;
   const auto now = uint64_t(std::chrono::system_clock::now().time_since_epoch().count());

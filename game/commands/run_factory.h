@@ -19,6 +19,9 @@ class RunFactory {
   // goes to FILE-2.gwr and so on, so that "again" never costs a recording.
   std::unique_ptr<Run> make(Mode mode, uint64_t seed, Autopilot autopilot, bool recorded);
 
+  // A simulation of a run that make() has made, computed in another way.
+  std::unique_ptr<Simulation> makeAgain(const SimulationConfig& config) const;
+
   const Rules& rules() const { return config_.rules; }
   const DeviceChoice& device() const { return device_; }
   const std::filesystem::path& assets() const { return assets_; }

@@ -58,6 +58,11 @@ inline constexpr uint32_t kKeys = 512;         // SDL_NUM_SCANCODES
 inline constexpr uint32_t kMouseButtons = 16;  // numbered from 1
 
 inline constexpr uint16_t kKeyEnter = 40, kKeyEscape = 41;
+// Keys of the instruments (docs/overlay.md): F3, F4, F5. They are fixed, and nothing can be bound to them.
+inline constexpr uint16_t kKeyOverlay = 60, kKeyColouring = 61, kKeyBroadPhase = 62;
+constexpr bool isInstrumentKey(uint32_t key) {
+  return key >= kKeyOverlay && key <= kKeyBroadPhase;
+}
 
 // Something a hand can press.
 struct Control {

@@ -150,6 +150,10 @@ class Reader {
         wrong(item, key,
               fmt::format("{} is not the name of a {}; it is left out, see docs/settings.md for the names",
                           oneLine(inlineText(item)), kind(device)));
+      } else if (device == InputDevice::keyboard && isInstrumentKey(control->code)) {
+        wrong(item, key,
+              fmt::format("{} shows how the game is computed and nothing else; it is left out, name another key",
+                          oneLine(inlineText(item))));
       } else if (std::find(named.begin(), named.end(), control->code) != named.end()) {
         wrong(item, key, fmt::format("{} stands there twice; once is enough", oneLine(inlineText(item))));
       } else if (named.size() == kMaxControls) {

@@ -41,6 +41,7 @@ void drawViewerHelp(Canvas& canvas, const KeyHints& keys) {
       {"WHEEL", "zoom it"},
       {"0", "back to the ship"},
       {keys.fullscreen + " M", "full screen, mute"},
+      {"F3 F4 F5", "figures, colours by row, other broad phase"},
       {"H", "hide the keys"},
       {keys.pause + "  " + keys.quit, "pause; leave"},
   };
