@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "game/profile/session/scene_kind.h"
 #include "game/sim/simulation.h"
 
 namespace gw {
@@ -15,7 +16,7 @@ namespace gw {
 // `differ` is what diff says, as the program of that name does.
 enum class ExitCode : int { fine = 0, failedRun = 1, differ = 1, badUsage = 2, badFile = 3, desync = 4 };
 
-enum class Verb : uint32_t { play, replay, verify, render, trim, diff, devices, probe };
+enum class Verb : uint32_t { play, replay, verify, render, profile, trim, diff, devices, probe };
 enum class DeviceOption : uint32_t { automatic, cuda, cpu };
 
 struct Options {
@@ -67,6 +68,21 @@ struct Options {
   // render
   uint32_t framesPerSecond = 60;  // of game time
   bool hud = true;
+
+  // profile; outPath is the folder, ticks the length of a run
+  profile::SceneKind scene = profile::SceneKind::fiveMinutes;
+  bool sceneAsked = false;
+  std::filesystem::path replayPath;   // instead of a scene
+  std::vector<uint32_t> enemiesList;  // empty: `enemies` alone
+  uint32_t seconds = 0;               // another way to say ticks
+  std::string compare;                // contenders, with commas; empty: broadPhase alone
+  uint32_t runs = 10;                 // of each contender
+  bool drawNothing = false;           // simulation only
+  bool paced = false;                 // ticks in real time
+  bool effects = true;                // particles, flashes, bending, shake
+  bool wholeWorld = false;            // is drawn, and not what a player sees
+  std::filesystem::path tracePath;
+  std::filesystem::path baselinePath;  // an earlier report.json
 
   // replay, render and trim (exactly one), diff (two), verify (one or more)
   std::vector<std::filesystem::path> files;

@@ -12,7 +12,8 @@ namespace {
 }
 
 void checkNeighbours(const Options& o) {
-  const bool exact = o.gather ? *o.gather == Gather::exact : o.verb == Verb::play;
+  const bool ownGame = o.verb == Verb::play || o.verb == Verb::profile;  // else a replay says how it is gathered
+  const bool exact = o.gather ? *o.gather == Gather::exact : ownGame;
   if (exact && o.sort == Sort::oddEven) {
     throw UsageError(
         "'--sort odd-even' does not keep the order that an exact gather needs; add '--gather adaptive' or "
@@ -86,6 +87,28 @@ void checkVerify(const Options& o) {
   }
 }
 
+void checkProfile(const Options& o) {
+  if (o.outPath.empty()) refuse("'gpuwars profile' needs a folder for its report; add '--out DIR'");
+  if (o.sceneAsked && !o.replayPath.empty()) refuse("'--scene' and '--replay' each name what is played; leave out one");
+  if (!o.replayPath.empty() && !o.enemiesList.empty()) {
+    refuse("'--enemies' is what '--replay' was recorded with; leave it out");
+  }
+  if (o.ticks != 0 && o.seconds != 0) refuse("'--ticks' and '--seconds' both name the length of a run; leave out one");
+  if (o.headless && o.drawNothing) refuse("'--no-draw' needs no '--headless'; leave out one of the two");
+  if (o.drawNothing && o.paced)
+    refuse("'--paced' waits for what nobody sees with '--no-draw'; leave out one of the two");
+  if (o.drawNothing && o.scene == profile::SceneKind::menu) refuse("'--scene menu' is drawn; leave out '--no-draw'");
+  if (!o.compare.empty() && o.broadPhase != BroadPhase::ngrid) {
+    refuse("'--compare' names the broad phases; leave '--broad-phase' out");
+  }
+  if (o.sort && !o.compare.empty() && ("," + o.compare + ",").find(",ngrid,") == std::string::npos) {
+    refuse("'--sort' is about the contender ngrid, which '--compare' does not name; leave out one of the two");
+  }
+  if (o.gather.value_or(Gather::exact) != Gather::exact) {
+    refuse("a profile plays exact games, and measures an inexact gather beside one; use '--compare ngrid,thesis'");
+  }
+}
+
 void checkDevice(const Options& o) {
   if (o.device == DeviceOption::cpu && o.blockSize != Options().blockSize) {
     refuse("'--block-size' is about the cuda device; leave it out or choose '--device cuda'");
@@ -116,6 +139,7 @@ void checkContradictions(const Options& o) {
   if (o.verb == Verb::render) checkRender(o);
   if (o.verb == Verb::play) checkPlay(o);
   if (o.verb == Verb::verify) checkVerify(o);
+  if (o.verb == Verb::profile) checkProfile(o);
   checkDevice(o);
 }
 

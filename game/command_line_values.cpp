@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <optional>
 
 namespace gw {
 namespace {
@@ -33,10 +34,6 @@ std::optional<T> parsed(const std::string& text) {
 
 }  // namespace
 
-std::string notYet(std::string_view what, std::string_view remedy) {
-  return fmt::format("'{}' is not in this version yet; {}", what, remedy);
-}
-
 CLI::Option* CommandLineValues::declare(const char* names, const char* help, const char* placeholder, const char* group,
                                         std::function<void(const std::string&)> take) {
   CLI::Option* option = app_.add_option_function<std::string>(
@@ -55,15 +52,12 @@ void CommandLineValues::choice(const char* name, std::span<const Choice> choices
                                const char* standard, std::function<void(uint32_t)> take, const char* group) {
   std::string now;
   for (const Choice& c : choices) {
-    if (!c.value) continue;
     if (!now.empty()) now += '|';
     now += c.name;
   }
   const auto read = [name = std::string(name), now, choices, take = std::move(take)](const std::string& text) {
     for (const Choice& c : choices) {
-      if (c.name != text) continue;
-      if (!c.value) throw UsageError(notYet(name + " " + text, fmt::format("choose {}", now)));
-      return take(*c.value);
+      if (c.name == text) return take(c.value);
     }
     throw UsageError(fmt::format("'{} {}' is not known; choose {}", name, text, now));
   };

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -20,14 +19,11 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// One of the words an option takes; no value: a later version's.
+// One of the words an option takes.
 struct Choice {
   std::string_view name;
-  std::optional<uint32_t> value = std::nullopt;
+  uint32_t value;
 };
-
-// "'--thesis' is not in this version yet; <remedy>"
-std::string notYet(std::string_view what, std::string_view remedy);
 
 class CommandLineValues {
  public:

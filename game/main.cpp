@@ -39,6 +39,8 @@ ExitCode runVerb(const Options& options) {
       return verifyReplays(options);
     case Verb::render:
       return renderReplay(options);
+    case Verb::profile:
+      return profileGame(options);
     case Verb::probe:
       return answerAsProbe(options);
     case Verb::trim:

@@ -3,18 +3,20 @@
 #   tools/install_packages.sh play|check
 set -euo pipefail
 
-# Compilers, the libraries of the game, and Mesa for machines whose display or GPU has no driver of its own.
+# Compilers, the libraries of the game, Mesa for machines whose display or GPU has no driver of its own, and what makes
+# PNG of the profile's pictures.
 play_packages=(
   g++ cmake ninja-build ccache
   libsdl2-dev libglew-dev libglm-dev libopenal-dev libegl-dev libgl-dev
   libegl1 libegl-mesa0 libgl1-mesa-dri
   libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libxxhash-dev zlib1g-dev libfmt-dev libstb-dev libimgui-dev
+  librsvg2-bin fonts-dejavu-core
 )
 # The test frameworks, a virtual display with keys and screenshots, the second compiler, the tools of the gates.
 check_packages=(
   libgtest-dev libbenchmark-dev librapidcheck-dev libnanoflann-dev libboost-context-dev
   xvfb xauth xdotool imagemagick
-  clang libclang-rt-dev binutils python3 git util-linux
+  clang libclang-rt-dev binutils python3 python3-jsonschema git util-linux
 )
 
 case "${1:-}" in

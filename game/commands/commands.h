@@ -11,6 +11,7 @@ ExitCode playHeadless(const Options& options);
 ExitCode watchReplay(const Options& options);
 ExitCode verifyReplays(const Options& options);
 ExitCode renderReplay(const Options& options);
+ExitCode profileGame(const Options& options);
 ExitCode answerAsProbe(const Options& options);
 ExitCode trimReplay(const Options& options);
 ExitCode diffTwoReplays(const Options& options);

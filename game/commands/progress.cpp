@@ -14,13 +14,13 @@ Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::show(uint64_t done) {
+void Progress::show(uint64_t done, const std::string& more) {
   if (!terminal_) return;
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;
   next_ = now + std::chrono::milliseconds(200);
-  std::fprintf(stderr, "\r\033[K%s: %llu of %llu", what_.c_str(), static_cast<unsigned long long>(done),
-               static_cast<unsigned long long>(of_));
+  std::fprintf(stderr, "\r\033[K%s: %llu of %llu%s", what_.c_str(), static_cast<unsigned long long>(done),
+               static_cast<unsigned long long>(of_), more.c_str());
   std::fflush(stderr);
   shown_ = true;
 }

@@ -14,7 +14,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(uint64_t done);  // cheap: writes a few times a second
+  // Cheap: writes a few times a second. `more` is said behind it.
+  void show(uint64_t done, const std::string& more = {});
 
  private:
   std::string what_;

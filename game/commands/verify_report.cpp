@@ -5,6 +5,7 @@
 
 #include "game/commands/hash_file.h"
 #include "game/desync/desync_text.h"
+#include "game/profile/report/xml_text.h"
 #include "game/ui/format.h"
 
 namespace gw {
@@ -41,29 +42,6 @@ std::string failureText(const Outcome& outcome) {
   }
   if (!outcome.wrong.empty()) return name + ": " + outcome.wrong + "\n";
   return outcome.error.empty() ? "" : outcome.error + "\n";
-}
-
-std::string escaped(const std::string& text) {
-  std::string xml;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        xml += "&amp;";
-        break;
-      case '<':
-        xml += "&lt;";
-        break;
-      case '>':
-        xml += "&gt;";
-        break;
-      case '"':
-        xml += "&quot;";
-        break;
-      default:
-        if (c == '\n' || c == '\t' || static_cast<unsigned char>(c) >= 0x20) xml += c;  // XML has no place for others
-    }
-  }
-  return xml;
 }
 
 }  // namespace
@@ -112,7 +90,7 @@ std::string junitXml(const std::vector<Outcome>& outcomes) {
   std::string cases;
   for (const Outcome& outcome : outcomes) {
     seconds += outcome.seconds;
-    cases += "  <testcase classname=\"gpuwars.verify\" name=\"" + escaped(outcome.file) + "\" time=\"" +
+    cases += "  <testcase classname=\"gpuwars.verify\" name=\"" + profile::xmlEscaped(outcome.file) + "\" time=\"" +
              std::to_string(outcome.seconds) + "\"";
     if (outcome.code == ExitCode::fine) {
       cases += "/>\n";
@@ -122,8 +100,8 @@ std::string junitXml(const std::vector<Outcome>& outcomes) {
     ++(differs ? failures : errors);
     const std::string text = failureText(outcome);
     const char* element = differs ? "failure" : "error";
-    cases += std::string(">\n    <") + element + " message=\"" + escaped(text.substr(0, text.find('\n'))) + "\">" +
-             escaped(text) + "</" + element + ">\n  </testcase>\n";
+    cases += std::string(">\n    <") + element + " message=\"" + profile::xmlEscaped(text.substr(0, text.find('\n'))) +
+             "\">" + profile::xmlEscaped(text) + "</" + element + ">\n  </testcase>\n";
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"gpuwars verify\" tests=\"" +
          std::to_string(outcomes.size()) + "\" failures=\"" + std::to_string(failures) + "\" errors=\"" +

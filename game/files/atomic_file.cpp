@@ -1,6 +1,5 @@
 #include "game/files/atomic_file.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -35,24 +34,11 @@ class PartFile {
   }
 
   void become() {
-    if (fsync(part_.descriptor) != 0) refuseWriting(shown_, because(errno, "check the disk"));
-    const int closed = close(std::exchange(part_.descriptor, -1));
-    if (closed != 0) refuseWriting(shown_, because(errno, "check the disk"));
-    if (rename(part_.name.c_str(), target_.c_str()) != 0) refuseWriting(shown_, because(errno, "choose another name"));
+    becomeTarget(part_, shown_, target_);
     renamed_ = true;
-    syncFolder();
   }
 
  private:
-  // Makes the new name survive a power cut; some file systems cannot, and the file is whole either way.
-  void syncFolder() const {
-    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    fsync(descriptor);
-    close(descriptor);
-  }
-
   fs::path shown_, target_;
   OpenPart part_;
   bool renamed_ = false;

@@ -8,7 +8,8 @@
 
 namespace gw {
 
-GrowingFile::GrowingFile(const std::filesystem::path& path) : part_(openPart(path, writingDestination(path))) {}
+GrowingFile::GrowingFile(const std::filesystem::path& path)
+    : shown_(path), target_(writingDestination(path)), part_(openPart(shown_, target_)) {}
 
 GrowingFile::~GrowingFile() {
   if (part_.descriptor >= 0) close(part_.descriptor);
@@ -32,9 +33,15 @@ bool GrowingFile::append(std::span<const uint8_t> bytes) {
 }
 
 void GrowingFile::remove() {
-  if (part_.descriptor < 0) return;
+  if (part_.name.empty()) return;
   unlink(part_.name.c_str());
-  close(std::exchange(part_.descriptor, -1));
+  part_.name.clear();
+  if (part_.descriptor >= 0) close(std::exchange(part_.descriptor, -1));
+}
+
+void GrowingFile::become() {
+  becomeTarget(part_, shown_, target_);
+  part_.name.clear();
 }
 
 }  // namespace gw

@@ -24,10 +24,13 @@ class GrowingFile {
   bool append(std::span<const uint8_t> bytes);
 
   void remove();
+  // Syncs it and gives it the name of the target. Throws FileError; the file is then still there.
+  void become();
 
   std::filesystem::path path() const { return part_.name; }
 
  private:
+  std::filesystem::path shown_, target_;
   OpenPart part_;
   uint64_t length_ = 0;  // that was appended whole
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "game/files/atomic_file.h"
 
@@ -54,6 +55,27 @@ OpenPart openPart(const fs::path& shown, const fs::path& target) {
   // left over. A file system without locks shows it as left over; nothing else depends on it.
   flock(part.descriptor, LOCK_EX | LOCK_NB);
   return part;
+}
+
+namespace {
+
+// Makes the new name survive a power cut; some file systems cannot, and the file is whole either way.
+void syncFolder(const fs::path& target) {
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+}  // namespace
+
+void becomeTarget(OpenPart& part, const fs::path& shown, const fs::path& target) {
+  if (fsync(part.descriptor) != 0) refuseWriting(shown, because(errno, "check the disk"));
+  const int closed = close(std::exchange(part.descriptor, -1));
+  if (closed != 0) refuseWriting(shown, because(errno, "check the disk"));
+  if (rename(part.name.c_str(), target.c_str()) != 0) refuseWriting(shown, because(errno, "choose another name"));
+  syncFolder(target);
 }
 
 namespace {

@@ -25,6 +25,10 @@ struct OpenPart {
 // Makes TARGET.part-PID-N with the first free N, so that nobody's file is overwritten. Throws FileError about `shown`.
 OpenPart openPart(const std::filesystem::path& shown, const std::filesystem::path& target);
 
+// Syncs the part, closes it and gives it the target's name. Throws FileError about `shown`; the part is then still
+// there.
+void becomeTarget(OpenPart& part, const std::filesystem::path& shown, const std::filesystem::path& target);
+
 // The temporary files beside the target of `path` that no running program writes any more, by name. What cannot be
 // looked at is not among them.
 std::vector<std::filesystem::path> partsLeftBeside(const std::filesystem::path& path);

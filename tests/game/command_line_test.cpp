@@ -120,6 +120,27 @@ TEST(CommandLine, VerifyTakesFiles) {
   EXPECT_EQ(accepted("verify --jobs=3 a").jobs, 3u);
 }
 
+TEST(CommandLine, ProfileTakesASceneOrAReplay) {
+  const Options o = accepted(
+      "profile --out report --scene ramp --seconds 20 --runs 3 --compare ngrid,grid --enemies 512,8192 --headless "
+      "--view world --effects off --trace t.json --baseline old.json --paced --width 800 --height 600 --threads 2");
+  EXPECT_EQ(o.verb, Verb::profile);
+  EXPECT_EQ(o.outPath, "report");
+  EXPECT_EQ(o.scene, profile::SceneKind::ramp);
+  EXPECT_EQ(o.seconds, 20u);
+  EXPECT_EQ(o.runs, 3u);
+  EXPECT_EQ(o.compare, "ngrid,grid");
+  EXPECT_EQ(o.enemiesList, (std::vector<uint32_t>{512, 8192}));
+  EXPECT_TRUE(o.headless && o.wholeWorld && o.paced && !o.effects && !o.drawNothing);
+  EXPECT_EQ(o.tracePath, "t.json");
+  EXPECT_EQ(o.baselinePath, "old.json");
+  const Options usual = accepted("profile --out report");
+  EXPECT_EQ(usual.scene, profile::SceneKind::fiveMinutes);
+  EXPECT_EQ(usual.runs, 10u);
+  EXPECT_TRUE(usual.enemiesList.empty() && usual.compare.empty() && usual.effects);
+  EXPECT_EQ(accepted("profile --out d --replay run.gwr --no-draw --ticks 600").replayPath, "run.gwr");
+}
+
 TEST(CommandLine, TrimTakesAFileAndWhereToWrite) {
   const Options o = accepted("trim run.gwr --out new.gwr --to 600 --device cpu --threads 2 --broad-phase brute");
   EXPECT_EQ(o.verb, Verb::trim);
@@ -200,7 +221,7 @@ struct Refusal {
 };
 
 const Refusal kRefusals[] = {
-    // Later versions' business, by name.
+    // How neighbours are found.
     {"--gather adaptive --sort full",
      "'--sort full' does not keep the order that '--gather adaptive' needs; choose '--sort bitonic' or '--sort "
      "odd-even'"},
@@ -209,8 +230,30 @@ const Refusal kRefusals[] = {
      "odd-even'"},
     {"--sort frozen --broad-phase grid",
      "'--sort frozen' keeps the NGrid in order, which '--broad-phase grid' does without; leave out one of the two"},
-    {"profile", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
-    {"profile --help", "'gpuwars profile' is not in this version yet; see 'gpuwars --help' for what is"},
+    // Profiles.
+    {"profile", "'gpuwars profile' needs a folder for its report; add '--out DIR'"},
+    {"profile --out d --scene ramp --replay f", "'--scene' and '--replay' each name what is played; leave out one"},
+    {"profile --out d --replay f --enemies 5", "'--enemies' is what '--replay' was recorded with; leave it out"},
+    {"profile --out d --ticks 60 --seconds 1",
+     "'--ticks' and '--seconds' both name the length of a run; leave out one"},
+    {"profile --out d --headless --no-draw", "'--no-draw' needs no '--headless'; leave out one of the two"},
+    {"profile --out d --no-draw --paced",
+     "'--paced' waits for what nobody sees with '--no-draw'; leave out one of the two"},
+    {"profile --out d --no-draw --scene menu", "'--scene menu' is drawn; leave out '--no-draw'"},
+    {"profile --out d --compare ngrid --broad-phase grid",
+     "'--compare' names the broad phases; leave '--broad-phase' out"},
+    {"profile --out d --thesis",
+     "a profile plays exact games, and measures an inexact gather beside one; use '--compare ngrid,thesis'"},
+    {"profile --out d --scene chess", "'--scene chess' is not known; choose five-minutes|ramp|swarm|menu"},
+    {"profile --out d --enemies 5,many",
+     "'--enemies 5,many' does not work; give whole numbers from 1 to 1000000, separated by commas"},
+    {"profile --out d --enemies 5,",
+     "'--enemies 5,' does not work; give whole numbers from 1 to 1000000, separated by commas"},
+    {"profile --out d --enemies 0",
+     "'--enemies 0' does not work; give whole numbers from 1 to 1000000, separated by commas"},
+    {"profile --out d --runs 0", "'--runs 0' does not work; give a whole number from 1 to 1,000"},
+    {"profile --out d --ticks 59", "'--ticks 59' does not work; give a whole number from 60 to 864,000"},
+    {"profile file.gwr", "'file.gwr' is not understood; 'gpuwars profile' takes options only"},
     // Values.
     {"--mode chess", "'--mode chess' is not known; choose arcade|deadline|swarm|practice"},
     {"--device gpu", "'--device gpu' is not known; choose auto|cuda|cpu"},
@@ -288,7 +331,8 @@ const Refusal kRefusals[] = {
      "'--order' and '--protect-memory' are about the cpu device; leave them out or choose '--device cpu'"},
     // Verbs, files and options in the wrong place.
     {"run.gwr",
-     "'run.gwr' is not a verb; choose play, replay, verify, render, trim, diff or devices (to watch a file: 'gpuwars "
+     "'run.gwr' is not a verb; choose play, replay, verify, render, profile, trim, diff or devices (to watch a file: "
+     "'gpuwars "
      "replay FILE')"},
     {"play run.gwr", "'run.gwr' is not understood; 'gpuwars play' takes options only"},
     {"devices cpu", "'cpu' is not understood; 'gpuwars devices' takes options only"},

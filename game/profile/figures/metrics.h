@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "game/profile/frame.h"
+#include "game/profile/figures/frame.h"
 
 namespace gw::profile {
 
@@ -26,6 +26,11 @@ std::span<const Metric> metrics();
 // Throws std::invalid_argument for a name that is none.
 const Metric& metric(std::string_view name);
 
+// Counts in figures of frames: none of the warm-up, and its time is known.
+bool counts(const Frame& frame);
+// What each of its ticks took: frames with several are not timed tick by tick. NaN when it simulated none.
+double tick_ms(const Frame& frame);
+
 // By name; what was not measured is absent.
 using MetricValues = std::map<std::string, double, std::less<>>;
 
@@ -33,7 +38,8 @@ using MetricValues = std::map<std::string, double, std::less<>>;
 // absent when nothing else is left.
 MetricValues metricsOf(const RunFrames& run);
 
-// Frames that took over twice the median of the 60 around them and at least 4 ms more than it: what is seen as a jerk.
+// Frames that took over twice the median of the 60 others around them and at least 4 ms more than it: what is seen as
+// a jerk. At either end, and where there are fewer, the nearest 60, or all others.
 uint64_t stutters(std::span<const double> frames_ms);
 
 }  // namespace gw::profile

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "game/profile/metrics.h"
-#include "game/profile/statistics.h"
+#include "game/profile/figures/metrics.h"
+#include "game/profile/figures/statistics.h"
 
 namespace gw::profile {
 
@@ -36,8 +36,8 @@ struct Setup {
 
 // One second of game time, over all runs.
 struct Second {
-  double time_s;
-  Estimate fps;                   // low and high: the slowest and the fastest run
+  double time_s;                  // when it begins
+  Estimate fps;                   // mean over runs; low and high: the slowest and the fastest
   double live;                    // enemies, mean
   std::vector<double> stages_ms;  // per tick, as Contender::stages; empty where none was timed
 };
@@ -59,8 +59,8 @@ struct Contender {
   std::vector<MetricValues> runs;           // in the order in which they were made
   std::map<std::string, Estimate> overall;  // mean over runs
   std::vector<std::string> stages;
-  std::vector<double> stages_ms;  // mean per tick, as stages
-  std::vector<Second> seconds;
+  std::vector<double> stages_ms;         // mean per tick, as stages
+  std::vector<Second> seconds;           // empty in shadow, as all below is
   std::vector<Bin> histogram;            // of frame times, all runs; equal widths of the logarithm
   std::vector<CurvePoint> percentiles;   // x percent, y ms
   std::vector<CurvePoint> tickOverLive;  // x live enemies, y ms per tick: medians of bins

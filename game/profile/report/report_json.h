@@ -1,0 +1,18 @@
+// report.json: all of a Report, for scripts and for --baseline. docs/profile-report.md describes it, and
+// docs/profile-report.schema.json to the letter.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "game/profile/figures/report.h"
+
+namespace gw::profile {
+
+// Every finite number reads back as the same bits; the others are null and read back as NaN. Ends in a newline.
+std::string reportJson(const Report& report);
+
+// Throws FileError for what is no report of this version: damaged, cut short, or with something missing.
+Report readReport(const std::filesystem::path& path);
+
+}  // namespace gw::profile

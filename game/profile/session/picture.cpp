@@ -1,0 +1,89 @@
+#include "game/profile/session/picture.h"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "game/ui/hud.h"
+#include "game/ui/title.h"
+#include "game/user_error.h"
+#include "gpu/device_list.h"
+#include "render/gl_context_egl.h"
+
+namespace gw::profile {
+namespace {
+
+double now_ms() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Screen openOffscreen(PixelSize size, bool onCuda) {
+  try {
+    return {makeEglContext(size, onCuda ? currentCudaDevice() : std::nullopt), {}, "offscreen"};
+  } catch (const std::runtime_error& error) {
+    throw UserError(ExitCode::failedRun, error.what());
+  }
+}
+
+Picture::Picture(Screen& screen, const std::filesystem::path& assets, uint32_t capacity, const Look& look)
+    : screen_(screen), view_(assets, capacity), look_(look) {
+  for (GlQuery& query : queries_) query = makeGlQuery(GL_TIME_ELAPSED);
+}
+
+void Picture::begin(Run& run) {
+  camera_.emplace(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
+  while (takeGlTime_ms(true)) {
+  }
+}
+
+void Picture::follow(Run& run, float alpha, float passed_s) {
+  const PixelSize size = screen_.context->size();
+  const float aspect = float(size.width) / float(size.height);
+  const float width = run.simulation().worldWidth_m(), height = run.simulation().worldHeight_m();
+  if (look_.wholeWorld) {
+    camera_->place({width / 2, height / 2, std::max(height, width / aspect)}, aspect);
+  } else if (run.last().tick <= 1) {
+    camera_->snap(cameraTarget(run.last(), alpha), aspect);
+  } else {
+    camera_->follow(cameraTarget(run.last(), alpha), aspect, passed_s);
+  }
+}
+
+PictureCost Picture::draw(Run& run, const Rules& rules, float alpha, float passed_s, bool title, bool timed) {
+  const double begin = now_ms();
+  follow(run, alpha, passed_s);
+  screen_.context->bindTarget();
+  WorldFrame frame{screen_.context->size(), alpha};
+  if (!look_.effects) frame.effects = {0, 0, false, false, false};
+  if (title) frame.brightness = 0.8f;
+  timed = timed && asked_ - answered_ < kQueries;
+  if (timed) glBeginQuery(GL_TIME_ELAPSED, queries_[asked_++ % kQueries].get());
+  view_.draw(run, rules, *camera_, frame, [&](Canvas& canvas) {
+    if (title) {
+      drawTitle(canvas,
+                {double(run.last().tick) / kTicksPerSecond, run.simulation().deviceName(), 0, Mode::arcade, "", {}});
+    } else {
+      drawHud(canvas, run.monitor(), rules, {});
+    }
+  });
+  if (timed) glEndQuery(GL_TIME_ELAPSED);
+  const double drawn = now_ms();
+  screen_.context->swap();
+  return {drawn - begin, now_ms() - drawn, timed};
+}
+
+std::optional<double> Picture::takeGlTime_ms(bool wait) {
+  if (answered_ == asked_) return std::nullopt;
+  const GLuint query = queries_[answered_ % kQueries].get();
+  GLint ready = 0;
+  glGetQueryObjectiv(query, GL_QUERY_RESULT_AVAILABLE, &ready);
+  if (!ready && !wait) return std::nullopt;
+  GLuint64 took_ns = 0;
+  glGetQueryObjectui64v(query, GL_QUERY_RESULT, &took_ns);
+  ++answered_;
+  return double(took_ns) * 1e-6;
+}
+
+}  // namespace gw::profile

@@ -1,0 +1,32 @@
+// The window of a session. Only in builds with GW_WINDOW.
+#include <SDL.h>
+
+#include <stdexcept>
+
+#include "game/profile/session/picture.h"
+#include "game/user_error.h"
+#include "game/window_display.h"
+#include "render/gl_context_sdl.h"
+
+namespace gw::profile {
+
+Screen openWindow(PixelSize size) {
+  chooseDisplay();
+  WindowOptions window;
+  window.title = "GpuWars: profile";
+  window.size = size;
+  window.verticalSync = false;  // frames as fast as they come
+  try {
+    Screen screen{makeSdlContext(window), {}, "window"};
+    screen.open = [] {
+      bool open = true;
+      for (SDL_Event event; SDL_PollEvent(&event) != 0;) open = open && event.type != SDL_QUIT;
+      return open;
+    };
+    return screen;
+  } catch (const std::runtime_error& error) {
+    throw UserError(ExitCode::failedRun, error.what());
+  }
+}
+
+}  // namespace gw::profile

@@ -1,0 +1,273 @@
+#include "game/profile/session/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "game/profile/figures/contender_figures.h"
+#include "game/ui/format.h"
+#include "game/ui/mode_choice.h"
+#include "game/user_error.h"
+
+namespace gw::profile {
+namespace {
+
+constexpr uint32_t kWarmUp_ticks = 120;         // caches, clocks of the processor, the first births
+constexpr double kBusy = 0.05, kSpread = 0.05;  // shares from which the reader is warned
+
+double clock_s() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+// What timing the stages adds to a tick, as a share: ticks that were timed against their neighbours that were not.
+double stageTimersCost(const RunFrames& run) {
+  std::vector<double> ratios;
+  for (size_t i = 1; i + 1 < run.frames.size(); ++i) {
+    const Frame &before = run.frames[i - 1], &frame = run.frames[i], &after = run.frames[i + 1];
+    if (frame.warmUp || before.staged != after.staged || frame.staged == before.staged) continue;
+    const double around = (tick_ms(before) + tick_ms(after)) / 2;  // unknown when one had no tick
+    const double ratio = frame.staged ? tick_ms(frame) / around : around / tick_ms(frame);
+    if (std::isfinite(ratio)) ratios.push_back(ratio);
+  }
+  return ratios.empty() ? kUnknown : median(std::move(ratios)) - 1;
+}
+
+// Standard deviation of the runs' means over their mean; unknown of fewer than two.
+double spreadOf(const Contender& contender, const char* metric) {
+  std::vector<double> means;
+  for (const MetricValues& run : contender.runs) {
+    if (const auto found = run.find(metric); found != run.end()) means.push_back(found->second);
+  }
+  return means.size() < 2 ? kUnknown : deviation(means) / mean(means);
+}
+
+const char* aboutDrawn(Drawn drawn) {
+  return drawn == Drawn::window ? "window" : "offscreen";
+}
+
+}  // namespace
+
+// One case while it is played.
+struct Session::CaseRuns {
+  Runner runner;
+  RunPlan plan;
+  std::vector<ContenderFigures> figures = {};  // by contender
+  std::vector<std::string> hashes = {};
+  std::vector<uint32_t> runs = {};  // that count
+};
+
+Session::Session(SessionPlan plan, SimulationConfig computing, std::filesystem::path assets, MakeSimulation device)
+    : plan_(std::move(plan)),
+      computing_(std::move(computing)),
+      assets_(std::move(assets)),
+      device_([make = std::move(device), this](SimulationConfig config) {
+        config.threads = computing_.threads;
+        config.order = computing_.order;
+        config.protectMemory = computing_.protectMemory;
+        config.blockSize = computing_.blockSize;
+        config.checkLaunches = computing_.checkLaunches;
+        return make(config);
+      }),
+      rules_(readRuleTexts(assets_)),
+      tickCost_s_(plan_.contenders.size()),
+      ticksToGo_(plan_.contenders.size()) {}
+
+Session::~Session() = default;
+
+Report Session::run(const SetupListener& setups, const RunListener& runs, const ProgressListener& progress) {
+  runListener_ = runs;
+  progressListener_ = progress;
+  const MachineUse use;
+  Report report;
+  report.machine = thisMachine();
+  for (size_t i = 0; i < plan_.enemies.size() && !ended_; ++i) {
+    Scene scene = sceneFor(plan_.enemies[i]);
+    if (ended_) break;
+    cutTo(scene, plan_.ticks);
+    Case played = playCase(scene, i, setups);
+    if (!played.contenders.empty()) report.cases.push_back(std::move(played));
+  }
+  report.setup = setup_;
+  if (report.cases.empty()) {
+    throw UserError(ExitCode::failedRun, "Interrupted before a single frame was measured; start it again.");
+  }
+  report.setup.interrupted = ended_;
+  if (deviceName_.starts_with("cuda")) askGpu(report.machine);
+  if (screen_) report.machine.renderer = screen_->context->rendererName();
+  report.growth = growthOf(report.cases);
+  if (!timersCost_.empty()) report.stageTimersCost = median(timersCost_);
+  warn(report, use);
+  return report;
+}
+
+Scene Session::sceneFor(uint32_t enemies) {
+  if (!plan_.replay.empty()) {
+    Scene scene = readScene(plan_.replay);
+    if (scene.replay.header.gather == Gather::exact) return scene;
+    throw UserError(ExitCode::badFile, plan_.replay.string() +
+                                           " was recorded with an inexact gather, a game that no exact contender "
+                                           "plays: give a replay of an exact game.");
+  }
+  if (plan_.scene == SceneKind::fiveMinutes && enemies == 8192) return readFiveMinutes(assets_);
+  const uint32_t ticks = plan_.ticks ? plan_.ticks : usualTicks(plan_.scene);
+  const std::string doing = fmt::format("recording {} with {} enemies", nameOf(plan_.scene), withCommas(enemies));
+  return recordScene(plan_.scene, {enemies, ticks}, rules_, device_,
+                     [&](uint32_t tick) { return tell(doing, tick, ticks, kUnknown); });
+}
+
+void Session::openScreen(bool onCuda) {
+  if (plan_.drawn == Drawn::nothing || screen_) return;
+#ifdef GW_WINDOW
+  if (plan_.drawn == Drawn::window) screen_ = openWindow(plan_.size);
+#endif
+  if (!screen_) screen_ = openOffscreen(plan_.size, onCuda);
+  size_ = screen_->context->size();
+}
+
+// The first one says what the device is.
+std::unique_ptr<Simulation> Session::make(const SimulationConfig& config) {
+  std::unique_ptr<Simulation> simulation = device_(config);
+  if (deviceName_.empty()) deviceName_ = simulation->deviceName();
+  if (simulation->deviceName() == deviceName_) return simulation;
+  throw UserError(ExitCode::failedRun, fmt::format("The session began on {} and would go on with {}, which compares "
+                                                   "nothing: choose fewer enemies, or '--device cpu'.",
+                                                   deviceName_, simulation->deviceName()));
+}
+
+Case Session::playCase(const Scene& scene, size_t index, const SetupListener& setups) {
+  Case played;
+  played.enemies = scene.replay.header.enemies;
+  SimulationConfig config = replayConfig(scene.replay);
+  uint32_t capacity = 0;
+  {
+    const std::unique_ptr<Simulation> asked = make(config);
+    capacity = asked->capacity();
+    openScreen(asked->onCuda());
+  }
+  std::optional<Picture> picture;
+  if (screen_) picture.emplace(*screen_, assets_, capacity, plan_.look);
+  const uint32_t ticks = scene.replay.ticks();
+  if (index == 0) setups(setup_ = setupOf(scene));
+  const MakeSimulation same = [this](const SimulationConfig& asked) { return make(asked); };
+  CaseRuns of{Runner(scene, config, same, picture ? &*picture : nullptr),
+              {ticks, std::min(kWarmUp_ticks, ticks / 4), plan_.paced}};
+  for (const ContenderChoice& contender : plan_.contenders) of.figures.emplace_back(contender.name, contender.about);
+  of.hashes.resize(plan_.contenders.size());
+  of.runs.resize(plan_.contenders.size());
+  const uint64_t casesToGo = plan_.enemies.size() - index;
+  std::fill(ticksToGo_.begin(), ticksToGo_.end(), casesToGo * plan_.runs * ticks);
+  for (uint32_t round = 0; round < plan_.runs && !ended_; ++round) {
+    for (size_t contender = 0; contender < plan_.contenders.size() && !ended_; ++contender) {
+      playRun(scene, played.enemies, round, of, contender);
+    }
+  }
+  for (size_t i = 0; i < plan_.contenders.size(); ++i) {
+    if (of.runs[i] == 0) continue;
+    played.contenders.push_back(of.figures[i].finish());
+    if (!plan_.contenders[i].shadow()) played.contenders.back().hash = of.hashes[i];
+  }
+  for (size_t i = 1; i < played.contenders.size(); ++i) {
+    played.speedUps.push_back(speedUpOf(played.contenders.front(), played.contenders[i]));
+  }
+  return played;
+}
+
+// A run that somebody ended counts only where its contender has no other: it is shorter than they are.
+void Session::playRun(const Scene& scene, uint32_t enemies, uint32_t round, CaseRuns& of, size_t contender) {
+  const ContenderChoice& choice = plan_.contenders[contender];
+  const std::string doing = fmt::format("{}, {} enemies: run {} of {}, {}", scene.name, withCommas(enemies), round + 1,
+                                        plan_.runs, choice.name);
+  const double start_s = clock_s();
+  uint32_t done = 0;
+  const PlayedRun run = of.runner.play(choice, of.plan, [&](const Frame& frame) {
+    ticksToGo_[contender] -= frame.ticks;
+    done = frame.tick;
+    if (done > of.plan.warmUp_ticks) tickCost_s_[contender] = (clock_s() - start_s) / done;
+    const bool open = !screen_ || !screen_->open || screen_->open();
+    return tell(doing, frame.tick, of.plan.ticks, left_s()) && open;
+  });
+  if (!run.whole) ended_ = true;
+  if (run.frames.frames.empty() || (!run.whole && of.runs[contender] > 0)) return;
+  of.figures[contender].add(run.frames);
+  if (run.whole) of.hashes[contender] = fmt::format("{:016x}", run.hash);
+  const double cost = stageTimersCost(run.frames);
+  if (std::isfinite(cost)) timersCost_.push_back(cost);
+  ++of.runs[contender];
+  ++madeRuns_;
+  runListener_(enemies, choice, round + 1, run.frames);
+}
+
+bool Session::tell(const std::string& doing, uint32_t tick, uint32_t ticks, double left_s) {
+  if (!progressListener_({doing, tick, ticks, left_s})) ended_ = true;
+  return !ended_;
+}
+
+// Contenders that have not run yet are taken to be as fast as the mean of those that have.
+double Session::left_s() const {
+  double known_s = 0, sum_s = 0;
+  size_t knownCount = 0;
+  for (const double cost_s : tickCost_s_) {
+    known_s += cost_s;
+    knownCount += cost_s > 0;
+  }
+  if (knownCount == 0) return kUnknown;
+  for (size_t i = 0; i < tickCost_s_.size(); ++i) {
+    sum_s += double(ticksToGo_[i]) * (tickCost_s_[i] > 0 ? tickCost_s_[i] : known_s / double(knownCount));
+  }
+  return sum_s;
+}
+
+Setup Session::setupOf(const Scene& first) const {
+  Setup setup;
+  setup.scene = first.name;
+  setup.about = first.about;
+  setup.mode = modeName(first.replay.header.mode);
+  setup.device = deviceName_;
+  setup.drawn =
+      plan_.drawn == Drawn::nothing
+          ? "nothing: simulation only"
+          : fmt::format("{} {}x{}{}{}", aboutDrawn(plan_.drawn), size_.width, size_.height,
+                        plan_.look.wholeWorld ? ", the whole world" : "", plan_.look.effects ? "" : ", effects off");
+  setup.pacing = plan_.paced ? "real time" : "a tick a frame";
+  setup.ticks = first.replay.ticks();
+  setup.warmUp = std::min(kWarmUp_ticks, setup.ticks / 4);
+  setup.runs = plan_.runs;
+  return setup;
+}
+
+void Session::warn(Report& report, const MachineUse& use) const {
+  report.machine.loadAfter = loadAverage();
+  const double others = use.othersShare();
+  if (others > kBusy) {
+    report.warnings.push_back(fmt::format(
+        "Other programs took {:.0f} % of the processors' time meanwhile: figures are noisy; measure again on an idle "
+        "machine.",
+        100 * others));
+  }
+  if (plan_.runs < kRunsForInterval) {
+    report.warnings.push_back(fmt::format("{} run{} too few for intervals: ask for --runs {} or more.", plan_.runs,
+                                          plan_.runs == 1 ? " is" : "s are", kRunsForInterval));
+  }
+  for (const Case& played : report.cases) {
+    for (const Contender& contender : played.contenders) {
+      const double spread = spreadOf(contender, screen_ ? "frame_ms.mean" : "tick_ms.mean");
+      if (!(spread > kSpread)) continue;
+      report.warnings.push_back(
+          fmt::format("The runs of {} at {} enemies differ by {:.0f} %: the machine was busy or changed its clocks.",
+                      contender.name, withCommas(played.enemies), 100 * spread));
+    }
+  }
+  if (screen_ && (screen_->context->size().width != size_.width || screen_->context->size().height != size_.height)) {
+    report.warnings.push_back("The window changed its size meanwhile: its frames are of two kinds; measure again.");
+  }
+  if (report.setup.interrupted) {
+    report.warnings.push_back(
+        fmt::format("Interrupted after {} run{}: this is what there was.", madeRuns_, madeRuns_ == 1 ? "" : "s"));
+  }
+}
+
+}  // namespace gw::profile
