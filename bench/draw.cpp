@@ -142,7 +142,7 @@ std::string measure(int frames) {
     for (const float diameter_px : {8.0f, 16.0f, 24.0f}) {
       const std::vector<SpriteVertex> scene = sprites(count, diameter_px);
       table << "| " << count << " | " << int(diameter_px) << " px |";
-      for (const GlowQuality glow : {GlowQuality::off, GlowQuality::low, GlowQuality::high}) {
+      for (const float glow : {kGlowOff, kGlowLow, kGlowHigh}) {
         table << ' ' << medianFrame(frames, *context, [&] {
           drawGrid(0)();
           const StreamRegion region = stream.begin();

@@ -80,6 +80,7 @@ struct Options {
   bool drawNothing = false;           // simulation only
   bool paced = false;                 // ticks in real time
   bool effects = true;                // particles, flashes, bending, shake
+  float glow = 0.5f;                  // Settings::Effects::glow
   bool wholeWorld = false;            // is drawn, and not what a player sees
   std::filesystem::path tracePath;
   std::filesystem::path baselinePath;  // an earlier report.json

@@ -40,6 +40,7 @@ constexpr Choice kScenes[] = {{"five-minutes", uint32_t(profile::SceneKind::five
                               {"swarm", uint32_t(profile::SceneKind::swarm)},
                               {"menu", uint32_t(profile::SceneKind::menu)}};
 constexpr Choice kEffects[] = {{"on", 1}, {"off", 0}};
+constexpr Choice kGlows[] = {{"off", 0}, {"low", 1}, {"high", 2}};
 constexpr Choice kLooks[] = {{"player", 0}, {"world", 1}};
 
 constexpr const char* kDiagnostics = "Diagnostics";
@@ -56,6 +57,9 @@ std::vector<uint32_t> enemiesIn(const std::string& list) {
     if (error != std::errc() || stop != word.data() + word.size() || count < 1 || count > kMaxEnemies) {
       throw UsageError(fmt::format("'--enemies {}' does not work; give whole numbers from 1 to {}, separated by commas",
                                    list, kMaxEnemies));
+    }
+    if (std::find(counts.begin(), counts.end(), count) != counts.end()) {
+      throw UsageError(fmt::format("'--enemies {}' names {} twice; once is enough", list, count));
     }
     counts.push_back(count);
     begin = end + 1;
@@ -256,6 +260,8 @@ void VerbOptions::addProfile() {
                  [&](uint32_t v) { options_.wholeWorld = v != 0; });
   values_.choice("--effects", kEffects, "particles, flashes, bending, shake", "on",
                  [&](uint32_t v) { options_.effects = v != 0; });
+  values_.choice("--glow", kGlows, "how far light reaches outside a shape", "low",
+                 [&](uint32_t v) { options_.glow = float(v) / 2; });
   values_.path("--trace", "write trace events for Perfetto or Chrome to FILE", "FILE",
                [&](std::string v) { options_.tracePath = v; });
   values_.path("--baseline", "compare with an earlier report.json; exit 1 when slower beyond the noise", "FILE",

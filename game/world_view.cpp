@@ -124,6 +124,7 @@ void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, c
   sprites.alpha = frame.alpha;
   sprites.tick = float(report.tick) + frame.alpha;
   sprites.brightness = frame.brightness;
+  sprites.glow = frame.effects.glow;
   sprites.flashes = frame.effects.flash > 0;
   sprites_.draw(region, sprites);
   drawRings(run, rules, view, frame);

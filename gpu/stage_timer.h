@@ -58,6 +58,32 @@ struct StageMarks {};
 
 #endif
 
+// How long one launch takes, alone: waits for what came before and for itself. On cuda by the device's own clock, so
+// without what the host takes to launch it; on cpu by a steady clock. Not while a tick is captured.
+template <class Launch>
+double timeAlone_ms(Queue& queue, const Launch& launch) {
+  queue.synchronise();
+#if GW_ON_CUDA
+  struct Event {
+    cudaEvent_t event = nullptr;
+    Event() { check(cudaEventCreateWithFlags(&event, cudaEventDefault), "making an event"); }
+    ~Event() { cudaEventDestroy(event); }
+  } begin, end;
+  check(cudaEventRecord(begin.event, queue.stream), "timing a launch");
+  launch();
+  check(cudaEventRecord(end.event, queue.stream), "timing a launch");
+  queue.synchronise();
+  float took_ms = 0;
+  check(cudaEventElapsedTime(&took_ms, begin.event, end.event), "reading the time of a launch");
+  return took_ms;
+#else
+  const auto begin = std::chrono::steady_clock::now();
+  launch();
+  queue.synchronise();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+#endif
+}
+
 class StageTimer {
  public:
   struct Stage {

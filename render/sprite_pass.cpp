@@ -1,5 +1,7 @@
 #include "render/sprite_pass.h"
 
+#include <algorithm>
+
 #include "render/gl_group.h"
 
 namespace gw {
@@ -14,16 +16,17 @@ struct Glow {
 };
 
 // The cost of a sprite is its pixels: reach is what to lower when a frame takes too long.
-constexpr Glow glowOf(GlowQuality quality) {
-  switch (quality) {
-    case GlowQuality::off:
-      return {0, 0, 0};
-    case GlowQuality::low:
-      return {.4f, 5, .40f};
-    case GlowQuality::high:
-      return {.9f, 14, .50f};
+Glow glowOf(float amount) {
+  constexpr Glow kLow{.4f, 5, .40f}, kHigh{.9f, 14, .50f};
+  const auto between = [](float from, float to, float share) { return from * (1 - share) + to * share; };
+  amount = std::clamp(amount, kGlowOff, kGlowHigh);
+  if (amount <= kGlowLow) {
+    const float share = amount / kGlowLow;
+    return {kLow.share * share, kLow.most_px * share, kLow.strength * share};
   }
-  return {};
+  const float share = (amount - kGlowLow) / (kGlowHigh - kGlowLow);
+  return {between(kLow.share, kHigh.share, share), between(kLow.most_px, kHigh.most_px, share),
+          between(kLow.strength, kHigh.strength, share)};
 }
 
 }  // namespace

@@ -10,15 +10,15 @@
 
 namespace gw {
 
-// How far light reaches outside a shape. The price is the pixels it covers.
-enum class GlowQuality { off, low, high };
+// How far light reaches outside a shape: 0 not at all, 1 the furthest. The price is the pixels it covers.
+inline constexpr float kGlowOff = 0, kGlowLow = 0.5f, kGlowHigh = 1;
 
 struct SpriteFrame {
   Camera camera;
   PixelSize target;  // of the picture, for lines of whole pixels
   float alpha = 1;   // 0: the previous tick's places, 1: the current ones
   float tick = 0;    // ticks so far, for the blink of the untouchable ship
-  GlowQuality glow = GlowQuality::low;
+  float glow = kGlowLow;
   bool flashes = true;   // off: damage and blinking are shown by steady light, for those whom flashes hurt
   float brightness = 1;  // of all sprites; less behind menus
 };

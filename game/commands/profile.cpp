@@ -53,7 +53,7 @@ SessionPlan planOf(const Options& options) {
   }
 #endif
   plan.size = {int(options.width_px), int(options.height_px)};
-  plan.look = {options.effects, options.wholeWorld};
+  plan.look = {options.effects, options.glow, options.wholeWorld};
   return plan;
 }
 

@@ -27,6 +27,8 @@ std::string switchBroadPhase(Run& run, const MakeSimulation& make) {
   const std::string still = std::string("broad phase: still ") + nameOf(config.broadPhase);
   if (config.gather != Gather::exact) return still + ", because an inexact game has only one";
   config.broadPhase = broadPhaseAfter(config.broadPhase);
+  const bool tooMany = config.broadPhase == BroadPhase::bruteForce && config.enemies > kMostForBruteForce;
+  if (tooMany) config.broadPhase = broadPhaseAfter(config.broadPhase);
   try {
     std::unique_ptr<Simulation> next = make(config);
     if (next->onCuda() != old.onCuda()) return still + ", because the device has no room for a second game";
@@ -36,7 +38,8 @@ std::string switchBroadPhase(Run& run, const MakeSimulation& make) {
   } catch (const std::runtime_error& error) {
     return still + ", because of this: " + error.what();
   }
-  return std::string("broad phase: ") + nameOf(config.broadPhase);
+  return std::string("broad phase: ") + nameOf(config.broadPhase) +
+         (tooMany ? ", since brute would take seconds a tick" : "");
 }
 
 }  // namespace gw

@@ -13,6 +13,9 @@ namespace gw {
 // ngrid -> grid -> grid-hashed -> brute -> ngrid
 BroadPhase broadPhaseAfter(BroadPhase broadPhase);
 
+// Games for more enemies than this are not switched to brute force, whose ticks would take seconds.
+inline constexpr uint32_t kMostForBruteForce = 65536;
+
 // Makes a simulation the way that the run's own was made.
 using MakeSimulation = std::function<std::unique_ptr<Simulation>(const SimulationConfig&)>;
 

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <numeric>
 
+#include "game/instruments/broad_phase_switch.h"
+
 namespace gw {
 
 namespace {
@@ -82,7 +84,8 @@ void FigureGatherer::gather(Simulation& simulation) {
   if (!stages.empty()) figures_.stages = std::move(stages);
   read_ = std::move(times);
   figures_.census = simulation.census();
-  figures_.candidates = simulation.countCandidates();
+  const bool endless = config.broadPhase == BroadPhase::bruteForce && config.enemies > kMostForBruteForce;
+  figures_.candidates = endless ? CandidateCount{} : simulation.countCandidates();
   figures_.known = true;
 }
 

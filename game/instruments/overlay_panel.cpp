@@ -84,8 +84,12 @@ void drawNeighbours(const OverlayFigures& figures) {
     way += fmt::format(", {}, {}", nameOf(figures.gather), nameOf(figures.sort));
   }
   say(way);
-  say(fmt::format("candidates per entity {:9.1f}", figures.candidatesPerEntity()));
-  say(fmt::format("neighbours per entity {:9.1f}", figures.neighboursPerEntity()));
+  if (figures.candidates.entities > 0) {
+    say(fmt::format("candidates per entity {:9.1f}", figures.candidatesPerEntity()));
+    say(fmt::format("neighbours per entity {:9.1f}", figures.neighboursPerEntity()));
+  } else {
+    sayQuietly("candidates: nobody searched, or too many");
+  }
   if (const auto misaligned = figures.misaligned_percent()) {
     say(fmt::format("misaligned in NGrid   {:9.1f} %", *misaligned));
   } else {

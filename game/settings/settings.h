@@ -15,8 +15,9 @@ struct Settings {
 
   // Everything here is drawing only; off means not at all.
   struct Effects {
-    float shake = 1;  // 0 to 1: every source of shake is scaled by it
-    float flash = 1;  // 0 to 1: every sudden brightness of the whole picture is scaled by it
+    float shake = 1;    // 0 to 1: every source of shake is scaled by it
+    float flash = 1;    // 0 to 1: every sudden brightness of the whole picture is scaled by it
+    float glow = 0.5f;  // 0 to 1: how far light reaches outside a shape; the dearest of all where no GPU draws
     bool particles = true;
     bool gridBending = true;
     bool scorePops = true;

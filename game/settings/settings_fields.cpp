@@ -19,6 +19,7 @@ constexpr SettingsField kFields[] = {
     flag("sound", "muted", "mute all", [](Settings& s) { return &s.sound.muted; }),
     number("effects", "shake", "screen shake", 1, [](Settings& s) { return &s.effects.shake; }),
     number("effects", "flash", "flashes", 1, [](Settings& s) { return &s.effects.flash; }),
+    number("effects", "glow", "glow", 1, [](Settings& s) { return &s.effects.glow; }),
     flag("effects", "particles", "particles", [](Settings& s) { return &s.effects.particles; }),
     flag("effects", "grid_bending", "grid bending", [](Settings& s) { return &s.effects.gridBending; }),
     flag("effects", "score_pops", "score pops", [](Settings& s) { return &s.effects.scorePops; }),

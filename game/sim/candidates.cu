@@ -26,16 +26,13 @@ struct CountTests {
 }  // namespace
 
 CandidateCount Candidates::run(Queue& queue, const View& view) {
-  StageTimer timer;
-  timer.enable(true);
-  queue.synchronise();  // what came before is not the search's
-  timer.time(queue, "gather", [&] {
+  const double search_ms = timeAlone_ms(queue, [&] {
     withSearch(view.seen, [&](auto search) {
       forEach(queue, Count{view.capacity}, CountTests<decltype(search)>{tested_.data(), found_.data(), view, search});
     });
   });
   const uint64_t tests = sumOf(queue, tested_);
-  return {tests & ((1ull << 40) - 1), sumOf(queue, found_), tests >> 40, timer.stages().front().total_ms};
+  return {tests & ((1ull << 40) - 1), sumOf(queue, found_), tests >> 40, search_ms};
 }
 
 uint64_t Candidates::sumOf(Queue& queue, const Buffer<uint64_t>& words) {

@@ -162,7 +162,7 @@ struct CandidateCount {
   uint64_t tested = 0;    // pair tests, the entity itself not counted
   uint64_t found = 0;     // of those, neighbours
   uint64_t entities = 0;  // enemies that searched
-  double search_ms = 0;   // what searching took, without adding up; on cuda with the launch
+  double search_ms = 0;   // what searching took, without adding up
 };
 
 // Who lives, counted on the device.

@@ -18,6 +18,7 @@ from screen import SIZE, Screen, lit
 PANEL = (8, 112, 285, 500)   # left, top, right, bottom: what it covers at least of a picture 1280 wide
 NOTICE = (300, 622, 980, 652)
 BESIDE = (340, 130, 1270, 600)
+BROAD_PHASES = ("grid", "grid-hashed", "brute", "ngrid")
 
 
 def part(pixels, box):
@@ -78,6 +79,18 @@ def look_in_a_pause(window, screen, failures):
     window.press("F4", then_s=3)
     failures.check(changed(before, screen.picture(), BESIDE) == 0, "F4 again gives the same picture as before")
 
+    # Each broad phase says its name; the world stays as it is.
+    notices = []
+    for broad_phase in BROAD_PHASES:
+        window.press("F5", then_s=0.6)
+        notices.append(screen.picture(f"pause_{broad_phase}.png"))
+        time.sleep(2.5)
+    failures.check(all(changed(before, notice, NOTICE) > 0.02 for notice in notices), "F5 says what it did")
+    alike = [(a, b) for i, a in enumerate(BROAD_PHASES) for j, b in enumerate(BROAD_PHASES)
+             if i < j and changed(notices[i], notices[j], NOTICE) < 0.002]
+    failures.check(not alike, f"and names another one each time {alike}")
+    failures.check(changed(before, screen.picture(), BESIDE) == 0, "which changes nothing in the world")
+
     window.press("F3", then_s=1)
     shown = screen.picture("pause_f3.png")
     failures.check(changed(before, shown, PANEL) > 0.3, "F3 shows the panel")
@@ -105,11 +118,9 @@ def play(program, screen, folder, failures):
         screen.picture("play_f3.png")
         window.press("F4", then_s=1)
         screen.picture("play_f4.png")
-        for broad_phase in ("grid", "grid-hashed", "brute", "ngrid"):
-            before = screen.picture()
+        for broad_phase in BROAD_PHASES:
             window.press("F5", then_s=1.2)
-            after = screen.picture(f"play_{broad_phase}.png")
-            failures.check(changed(before, after, NOTICE) > 0.02, f"F5 says that it is {broad_phase}")
+            screen.picture(f"play_{broad_phase}.png")
         window.press("F3", "F5", "F3", then_s=0.7)
         window.leave("Escape", "q", "Escape")
     finally:
@@ -165,9 +176,11 @@ def play_inexactly(program, screen, folder, failures):
     window = Window(program, screen, failures, "--thesis", "--enemies", 500, "--autopilot", "expert", "--seed", 1,
                     "--record", recording)
     try:
+        window.press("Escape", then_s=1.5)
         before = screen.picture()
         window.press("F5", then_s=0.7)
         failures.check(changed(before, screen.picture("thesis_f5.png"), NOTICE) > 0.02, "F5 says that there is no other")
+        window.press("Escape", then_s=0.7)
         window.leave("Escape", "q", "Escape")
     finally:
         window.end()

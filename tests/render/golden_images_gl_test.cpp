@@ -44,9 +44,9 @@ TEST_F(GoldenImages, everyShapeInEveryCondition) {
 }
 
 TEST_F(GoldenImages, everyShapeWithMuchGlowAndWithoutFlashes) {
-  const Image image = drawSprites(
-      shapeScene(3.6f, 2.7f),
-      {.camera = kSceneCamera, .target = {}, .alpha = .5f, .tick = 6, .glow = GlowQuality::high, .flashes = false});
+  const Image image =
+      drawSprites(shapeScene(3.6f, 2.7f),
+                  {.camera = kSceneCamera, .target = {}, .alpha = .5f, .tick = 6, .glow = kGlowHigh, .flashes = false});
   EXPECT_EQ("", compareWithGolden(image, "shapes_high_glow.png"));
 }
 

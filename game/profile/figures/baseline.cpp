@@ -63,6 +63,10 @@ Compared compare(uint32_t enemies, const Contender* now, const Contender* old, c
 }
 
 void compareContenders(Comparison& comparison, uint32_t enemies, const Contender* now, const Contender* old) {
+  if (now && old && now->about != old->about) {
+    comparison.differences.push_back(now->name + " with " + std::to_string(enemies) + " enemies was \"" + old->about +
+                                     "\" and is \"" + now->about + "\".");
+  }
   for (const Metric& metric : metrics()) {
     if (metric.better == Better::neither || !(has(now, metric.name) || has(old, metric.name))) continue;
     comparison.compared.push_back(compare(enemies, now, old, metric));

@@ -77,7 +77,7 @@ void ContenderFigures::add(const RunFrames& run) {
 void ContenderFigures::addStages(const RunFrames& run) {
   std::vector<Sum> ticks(stages_.size());
   for (const Frame& frame : run.frames) {
-    if (!frame.staged || !(run.shadow ? !frame.warmUp : counts(frame))) continue;
+    if (!frame.staged || !countsForStages(frame, run.shadow)) continue;
     for (size_t i = 0; i < std::min(ticks.size(), frame.stages_ms.size()); ++i) {
       ticks[i].add(frame.stages_ms[i], frame.ticks);
     }
@@ -88,8 +88,8 @@ void ContenderFigures::addStages(const RunFrames& run) {
 void ContenderFigures::addSeconds(const RunFrames& run) {
   std::map<uint32_t, Sum> times_ms;
   for (const Frame& frame : run.frames) {
-    if (!counts(frame)) continue;
-    times_ms[secondOf(frame)].add(frame.total_ms);
+    if (!countsForStages(frame, run.shadow)) continue;
+    if (counts(frame)) times_ms[secondOf(frame)].add(frame.total_ms);
     SecondSums& second = seconds_[secondOf(frame)];
     second.live.add(frame.live);
     if (!frame.staged) continue;

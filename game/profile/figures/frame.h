@@ -30,6 +30,7 @@ struct Frame {
   uint64_t kills = 0;            // over the whole run
   bool warmUp = false;           // one of the first, which are dropped
   bool staged = false;           // its ticks were timed stage by stage
+  bool disturbed = false;        // its times hold what timing the stages took: no total counts them
   std::vector<float> stages_ms;  // of one of its ticks, as RunFrames::stages; empty unless staged
 };
 

@@ -26,8 +26,11 @@ std::span<const Metric> metrics();
 // Throws std::invalid_argument for a name that is none.
 const Metric& metric(std::string_view name);
 
-// Counts in figures of frames: none of the warm-up, and its time is known.
+// Counts in figures of frames: none of the warm-up, and its time is known and nothing's but the game's.
 bool counts(const Frame& frame);
+// Counts in figures of its stages and searches, which have times of their own: none of the warm-up, and none whose own
+// time was lost. In shadow no frame has one.
+bool countsForStages(const Frame& frame, bool shadow);
 // What each of its ticks took: frames with several are not timed tick by tick. NaN when it simulated none.
 double tick_ms(const Frame& frame);
 

@@ -151,7 +151,11 @@ void putNeighbourhood(Filled& filled, const RunFrames& run, const Frames& frames
 }  // namespace
 
 bool counts(const Frame& frame) {
-  return !frame.warmUp && std::isfinite(frame.total_ms);
+  return !frame.warmUp && !frame.disturbed && std::isfinite(frame.total_ms);
+}
+
+bool countsForStages(const Frame& frame, bool shadow) {
+  return !frame.warmUp && (shadow || std::isfinite(frame.total_ms));
 }
 
 double tick_ms(const Frame& frame) {
@@ -160,19 +164,18 @@ double tick_ms(const Frame& frame) {
 
 MetricValues metricsOf(const RunFrames& run) {
   Filled filled;
-  Frames frames;
+  Frames staged, frames;
   for (const Frame& frame : run.frames) {
-    // What a shadow run measures lies outside of its frames, which have no time.
-    if (run.shadow ? !frame.warmUp : counts(frame)) frames.push_back(&frame);
+    if (countsForStages(frame, run.shadow)) staged.push_back(&frame);
+    if (counts(frame)) frames.push_back(&frame);
   }
   if (!run.shadow) putStart(filled, run);
-  if (frames.empty()) return filled.values;
-  putNeighbourhood(filled, run, frames);
-  if (run.shadow) return filled.values;
+  putNeighbourhood(filled, run, staged);
+  if (run.shadow || frames.empty()) return filled.values;
   putFrames(filled, frames);
   putTicks(filled, frames);
   if (run.drawn) putPictures(filled, frames);
-  filled.putMean("think_ms.mean", stage(run, frames, "think"));
+  filled.putMean("think_ms.mean", stage(run, staged, "think"));
   filled.put("droppedTicks", run.droppedTicks);
   filled.put("launchesPerTick", run.launchesPerTick);
   return filled.values;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,6 +34,9 @@ struct Estimate {
   double value = 0;
   double low = 0, high = 0;  // both NaN: too few runs to say; the value too: there are none
 };
+inline constexpr Estimate kNoEstimate{std::numeric_limits<double>::quiet_NaN(),
+                                      std::numeric_limits<double>::quiet_NaN(),
+                                      std::numeric_limits<double>::quiet_NaN()};
 
 // Fewer runs than this make no interval: resampling a handful says less than it seems to.
 inline constexpr size_t kRunsForInterval = 10;

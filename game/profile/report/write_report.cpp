@@ -46,7 +46,11 @@ std::string writeReport(const Report& report, const fs::path& folder) {
   makeReportFolder(folder);
   write(folder / "report.json", reportJson(report));
   const std::vector<Plot> plots = plotsOf(report);
-  for (const Plot& plot : plots) write(folder / "plots" / (plot.name + ".svg"), plot.svg);
+  for (const Plot& plot : plots) {
+    std::error_code none;
+    fs::remove(folder / "plots" / (plot.name + ".png"), none);  // an earlier session's would belie the new picture
+    write(folder / "plots" / (plot.name + ".svg"), plot.svg);
+  }
   write(folder / "report.html", reportHtml(report, plots));
   try {
     for (const Plot& plot : plots) {

@@ -89,29 +89,62 @@ Machine thisMachine() {
   return machine;
 }
 
-void askGpu(Machine& machine) {
+std::optional<GpuState> gpuStateIn(const std::string& lines, const std::string& device) {
+  std::istringstream all(lines);
+  std::optional<GpuState> first;
+  for (std::string line; std::getline(all, line);) {
+    std::istringstream row(line);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(row, word, ',');) words.push_back(trimmed(word));
+    if (words.size() != 5) continue;
+    const GpuState state{words[0], words[1], numberIn(words[2]), numberIn(words[3]), numberIn(words[4])};
+    if (device.find(state.name) != std::string::npos) return state;
+    if (!first) first = state;
+  }
+  return first;
+}
+
+std::optional<GpuState> askGpu(const std::string& device) {
   try {
     FedProcess tool({"nvidia-smi", "--query-gpu=name,driver_version,clocks.sm,power.draw,temperature.gpu",
                      "--format=csv,noheader,nounits"});
-    if (tool.wait() != 0) return;
-    std::istringstream line(tool.output());
-    std::vector<std::string> words;
-    for (std::string word; std::getline(line, word, ',') && words.size() < 5;) words.push_back(trimmed(word));
-    if (words.size() < 5) return;
-    machine.gpu = words[0];
-    machine.driver = words[1];
-    machine.gpuClock_MHz = numberIn(words[2]);
-    machine.gpuPower_W = numberIn(words[3]);
-    machine.gpuTemperature_C = numberIn(words[4].substr(0, words[4].find('\n')));
+    if (tool.wait() == 0) return gpuStateIn(tool.output(), device);
   } catch (const std::system_error&) {
   }
+  return std::nullopt;
+}
+
+void tellGpu(Machine& machine, const std::vector<GpuState>& states) {
+  if (states.empty()) return;
+  machine.gpu = states.back().name;
+  machine.driver = states.back().driver;
+  const auto meanOf = [&](double GpuState::*of) {
+    std::vector<double> values;
+    for (const GpuState& state : states) {
+      if (std::isfinite(state.*of)) values.push_back(state.*of);
+    }
+    return values.empty() ? kUnknown : mean(values);
+  };
+  machine.gpuClock_MHz = meanOf(&GpuState::clock_MHz);
+  machine.gpuPower_W = meanOf(&GpuState::power_W);
+  machine.gpuTemperature_C = meanOf(&GpuState::temperature_C);
+}
+
+// What /proc/stat counts in is the machine's, whatever of it this process may use.
+uint32_t processorsIn(std::istream& stat) {
+  uint32_t count = 0;
+  for (std::string line; std::getline(stat, line);) {
+    count += line.starts_with("cpu") && line.size() > 3 && line[3] >= '0' && line[3] <= '9';
+  }
+  return count;
 }
 
 MachineUse::MachineUse() : busy_s_(busySeconds()), own_s_(ownSeconds()), wall_s_(clock_s()) {}
 
 double MachineUse::othersShare() const {
   const double others_s = busySeconds() - busy_s_ - (ownSeconds() - own_s_);
-  const double all_s = (clock_s() - wall_s_) * std::max(1u, std::thread::hardware_concurrency());
+  std::ifstream stat("/proc/stat");
+  const double all_s = (clock_s() - wall_s_) * std::max(1u, processorsIn(stat));
   return all_s > 0 ? std::clamp(others_s / all_s, 0.0, 1.0) : kUnknown;
 }
 

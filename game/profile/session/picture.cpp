@@ -56,7 +56,10 @@ PictureCost Picture::draw(Run& run, const Rules& rules, float alpha, float passe
   follow(run, alpha, passed_s);
   screen_.context->bindTarget();
   WorldFrame frame{screen_.context->size(), alpha};
-  if (!look_.effects) frame.effects = {0, 0, false, false, false};
+  if (!look_.effects) {
+    frame.effects = {.shake = 0, .flash = 0, .particles = false, .gridBending = false, .scorePops = false};
+  }
+  frame.effects.glow = look_.glow;
   if (title) frame.brightness = 0.8f;
   timed = timed && asked_ - answered_ < kQueries;
   if (timed) glBeginQuery(GL_TIME_ELAPSED, queries_[asked_++ % kQueries].get());

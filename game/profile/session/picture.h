@@ -27,6 +27,7 @@ Screen openWindow(PixelSize size);
 
 struct Look {
   bool effects = true;      // particles, flashes, bending, shake
+  float glow = 0.5f;        // Settings::Effects::glow
   bool wholeWorld = false;  // else the view of a player
 };
 
@@ -39,6 +40,8 @@ class Picture {
  public:
   // For simulations of this capacity. `screen` must outlive this.
   Picture(Screen& screen, const std::filesystem::path& assets, uint32_t capacity, const Look& look);
+
+  bool showsEffects() const { return look_.effects; }
 
   // Another run begins.
   void begin(Run& run);

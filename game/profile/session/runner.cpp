@@ -18,9 +18,17 @@ double now_ms() {
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
 
-// Times of the stages, tick by tick, out of the simulation's totals. Frames that are not staged are what the timers'
-// own cost is told by. On cuda a staged tick is a graph of its own, with events between the stages: one in 32. On the
-// cpu a steady clock costs next to nothing: all but one in 32. On both all until the stages' names are known.
+// One frame of every 32, at another place in each: much of a game goes in beats of two and four ticks, so a fixed place
+// would see the same beat for ever.
+bool isSample(uint64_t frame) {
+  constexpr uint64_t kEvery = 32, kOdd = 0x9E3779B97F4A7C15;
+  return frame % kEvery == ((frame / kEvery + 1) * kOdd) >> 59;
+}
+
+// Times of the stages, tick by tick, out of the simulation's totals. On cuda a staged tick is a graph of its own, with
+// events between the stages: the samples, whose totals are then not the game's alone. On the cpu a steady clock costs
+// next to nothing: all but the samples, by which its cost is told. The second frame's are timed on both, so that a
+// short run has some.
 class StageTimes {
  public:
   explicit StageTimes(Simulation& simulation) : simulation_(simulation) {
@@ -29,8 +37,7 @@ class StageTimes {
   }
 
   void begin(uint64_t frame) {
-    const bool one = frame % 32 == 16;
-    staged_ = before_.empty() || (simulation_.onCuda() ? one : !one);
+    staged_ = frame == 1 || isSample(frame) == simulation_.onCuda();
     simulation_.enableStageTimes(staged_);
   }
   void beginAlways() { simulation_.enableStageTimes(staged_ = true); }
@@ -39,6 +46,7 @@ class StageTimes {
   void end(Frame& frame, std::vector<std::string>& names) {
     frame.staged = staged_ && frame.ticks > 0;
     if (!frame.staged) return;
+    frame.disturbed = simulation_.onCuda();
     const std::vector<StageTime> now = simulation_.stageTimes();
     frame.stages_ms.resize(now.size());
     before_.resize(now.size());
@@ -120,6 +128,7 @@ void tell(Frame& frame, const TickReport& report, const RunPlan& plan) {
 
 PlayedRun Runner::play(const ContenderChoice& contender, const RunPlan& plan, const Listener& listener) {
   const SimulationConfig config = configOf(contender);
+  contender_ = contender.name;
   return contender.shadow() ? playShadow(config, plan, listener) : playExact(config, plan, listener);
 }
 
@@ -128,7 +137,7 @@ SimulationConfig Runner::configOf(const ContenderChoice& contender) const {
   config.broadPhase = contender.broadPhase;
   config.gather = contender.gather;
   config.sort = contender.sort;
-  config.particles = picture_ != nullptr;
+  config.particles = picture_ != nullptr && picture_->showsEffects();
   return config;
 }
 
@@ -136,9 +145,9 @@ void Runner::check(const TickReport& report) const {
   const uint64_t recorded = scene_.replay.hashes.at(report.tick - 1);
   if (report.hash == recorded) return;
   throw SceneDesync(
-      fmt::format("{} differs from its recording from tick {} on, so its times compare nothing: find "
+      fmt::format("{}, played by {}, differs from its recording from tick {} on, so its times compare nothing: find "
                   "out more with 'gpuwars verify'",
-                  scene_.name, report.tick));
+                  scene_.name, contender_, report.tick));
 }
 
 // What a run was recorded with, one tick on.
@@ -155,10 +164,12 @@ PlayedRun Runner::playExact(const SimulationConfig& config, const RunPlan& plan,
   PlayedRun played;
   RunFrames& out = played.frames;
   out.drawn = picture_ != nullptr;
-  const double start = now_ms();
+  double start = now_ms();
   Run run(make_(config), std::nullopt);
   if (picture_) picture_->begin(run);
+  const double made = now_ms();
   StageTimes stages(run.simulation());
+  start += now_ms() - made;  // that was ours
   Counting counting(run.simulation());
   LateTimes glTimes(picture_);
   TickPacer pacer;
@@ -178,7 +189,7 @@ PlayedRun Runner::playExact(const SimulationConfig& config, const RunPlan& plan,
     if (picture_) {
       const float passed_s = plan.paced ? float((begin - last) / 1000) : kTick_s;
       const float alpha = plan.paced ? pacer.alpha() : 1;
-      const PictureCost cost = picture_->draw(run, config.rules, alpha, passed_s, scene_.title, n % 32 != 16);
+      const PictureCost cost = picture_->draw(run, config.rules, alpha, passed_s, scene_.title, !isSample(n));
       frame.draw_ms = cost.draw_ms;
       frame.wait_ms = cost.wait_ms;
       if (cost.timed) glTimes.expect(out.frames.size());

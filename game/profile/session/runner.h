@@ -52,6 +52,7 @@ class Runner {
   const SimulationConfig& config_;
   const MakeSimulation& make_;
   Picture* picture_;
+  std::string contender_;  // that plays
 };
 
 }  // namespace gw::profile

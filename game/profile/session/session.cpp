@@ -23,11 +23,13 @@ double clock_s() {
   return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-// What timing the stages adds to a tick, as a share: ticks that were timed against their neighbours that were not.
+// What timing the stages adds to a tick, as a share: ticks that were timed against others that were not, in the same
+// beat of the game: bots decide every fourth tick, and much else happens every second or fourth.
 double stageTimersCost(const RunFrames& run) {
+  constexpr size_t kBeat = 4;
   std::vector<double> ratios;
-  for (size_t i = 1; i + 1 < run.frames.size(); ++i) {
-    const Frame &before = run.frames[i - 1], &frame = run.frames[i], &after = run.frames[i + 1];
+  for (size_t i = kBeat; i + kBeat < run.frames.size(); ++i) {
+    const Frame &before = run.frames[i - kBeat], &frame = run.frames[i], &after = run.frames[i + kBeat];
     if (frame.warmUp || before.staged != after.staged || frame.staged == before.staged) continue;
     const double around = (tick_ms(before) + tick_ms(after)) / 2;  // unknown when one had no tick
     const double ratio = frame.staged ? tick_ms(frame) / around : around / tick_ms(frame);
@@ -58,6 +60,7 @@ struct Session::CaseRuns {
   std::vector<ContenderFigures> figures = {};  // by contender
   std::vector<std::string> hashes = {};
   std::vector<uint32_t> runs = {};  // that count
+  std::vector<bool> cut = {};       // the only run it has was ended
 };
 
 Session::Session(SessionPlan plan, SimulationConfig computing, std::filesystem::path assets, MakeSimulation device)
@@ -84,6 +87,7 @@ Report Session::run(const SetupListener& setups, const RunListener& runs, const 
   const MachineUse use;
   Report report;
   report.machine = thisMachine();
+  begin();
   for (size_t i = 0; i < plan_.enemies.size() && !ended_; ++i) {
     Scene scene = sceneFor(plan_.enemies[i]);
     if (ended_) break;
@@ -96,7 +100,7 @@ Report Session::run(const SetupListener& setups, const RunListener& runs, const 
     throw UserError(ExitCode::failedRun, "Interrupted before a single frame was measured; start it again.");
   }
   report.setup.interrupted = ended_;
-  if (deviceName_.starts_with("cuda")) askGpu(report.machine);
+  tellGpu(report.machine, gpu_);
   if (screen_) report.machine.renderer = screen_->context->rendererName();
   report.growth = growthOf(report.cases);
   if (!timersCost_.empty()) report.stageTimersCost = median(timersCost_);
@@ -107,16 +111,34 @@ Report Session::run(const SetupListener& setups, const RunListener& runs, const 
 Scene Session::sceneFor(uint32_t enemies) {
   if (!plan_.replay.empty()) {
     Scene scene = readScene(plan_.replay);
+    if (plan_.ticks > scene.replay.ticks()) {
+      throw UserError(ExitCode::badFile,
+                      fmt::format("{} has {} ticks, and {} were asked for: ask for fewer, or leave them out.",
+                                  plan_.replay.string(), scene.replay.ticks(), plan_.ticks));
+    }
     if (scene.replay.header.gather == Gather::exact) return scene;
     throw UserError(ExitCode::badFile, plan_.replay.string() +
                                            " was recorded with an inexact gather, a game that no exact contender "
                                            "plays: give a replay of an exact game.");
   }
-  if (plan_.scene == SceneKind::fiveMinutes && enemies == 8192) return readFiveMinutes(assets_);
   const uint32_t ticks = plan_.ticks ? plan_.ticks : usualTicks(plan_.scene);
+  if (plan_.scene == SceneKind::fiveMinutes && enemies == 8192 && ticks <= usualTicks(plan_.scene)) {
+    return readFiveMinutes(assets_);
+  }
   const std::string doing = fmt::format("recording {} with {} enemies", nameOf(plan_.scene), withCommas(enemies));
-  return recordScene(plan_.scene, {enemies, ticks}, rules_, device_,
-                     [&](uint32_t tick) { return tell(doing, tick, ticks, kUnknown); });
+  const double start_s = clock_s();
+  return recordScene(plan_.scene, {enemies, ticks}, rules_, device_, [&](uint32_t tick) {
+    return tell(doing, tick, ticks, (clock_s() - start_s) * (ticks - tick) / tick);  // of the recording alone
+  });
+}
+
+// What draws is found, or missed, before a scene is recorded for minutes; what computes decides which it is.
+void Session::begin() {
+  if (plan_.drawn == Drawn::nothing) return;
+  Replay smallest;
+  smallest.header.enemies = 1;
+  smallest.rules = rules_;
+  openScreen(make(replayConfig(smallest))->onCuda());
 }
 
 void Session::openScreen(bool onCuda) {
@@ -146,7 +168,6 @@ Case Session::playCase(const Scene& scene, size_t index, const SetupListener& se
   {
     const std::unique_ptr<Simulation> asked = make(config);
     capacity = asked->capacity();
-    openScreen(asked->onCuda());
   }
   std::optional<Picture> picture;
   if (screen_) picture.emplace(*screen_, assets_, capacity, plan_.look);
@@ -158,6 +179,7 @@ Case Session::playCase(const Scene& scene, size_t index, const SetupListener& se
   for (const ContenderChoice& contender : plan_.contenders) of.figures.emplace_back(contender.name, contender.about);
   of.hashes.resize(plan_.contenders.size());
   of.runs.resize(plan_.contenders.size());
+  of.cut.resize(plan_.contenders.size());
   const uint64_t casesToGo = plan_.enemies.size() - index;
   std::fill(ticksToGo_.begin(), ticksToGo_.end(), casesToGo * plan_.runs * ticks);
   for (uint32_t round = 0; round < plan_.runs && !ended_; ++round) {
@@ -165,15 +187,28 @@ Case Session::playCase(const Scene& scene, size_t index, const SetupListener& se
       playRun(scene, played.enemies, round, of, contender);
     }
   }
+  finish(played, of);
+  return played;
+}
+
+// Nobody is compared with a run that was cut: what it lacks may be what costs most.
+void Session::finish(Case& played, const CaseRuns& of) {
   for (size_t i = 0; i < plan_.contenders.size(); ++i) {
     if (of.runs[i] == 0) continue;
     played.contenders.push_back(of.figures[i].finish());
-    if (!plan_.contenders[i].shadow()) played.contenders.back().hash = of.hashes[i];
+    Contender& contender = played.contenders.back();
+    if (!plan_.contenders[i].shadow()) contender.hash = of.hashes[i];
+    if (played.contenders.size() == 1) continue;
+    if (of.cut[i] || of.cut[0]) {
+      played.speedUps.push_back({contender.name, kNoEstimate, kNoEstimate, kNoEstimate});
+      cutShort_.push_back(fmt::format("{} at {} enemies", contender.name, withCommas(played.enemies)));
+      continue;
+    }
+    SpeedUp speedUp = speedUpOf(played.contenders.front(), contender);
+    // A shadow draws nothing: its caches are its own, those of the others OpenGL's too.
+    if (contender.shadow && screen_) speedUp.upkeepAndGathering = kNoEstimate;
+    played.speedUps.push_back(std::move(speedUp));
   }
-  for (size_t i = 1; i < played.contenders.size(); ++i) {
-    played.speedUps.push_back(speedUpOf(played.contenders.front(), played.contenders[i]));
-  }
-  return played;
 }
 
 // A run that somebody ended counts only where its contender has no other: it is shorter than they are.
@@ -187,22 +222,24 @@ void Session::playRun(const Scene& scene, uint32_t enemies, uint32_t round, Case
     ticksToGo_[contender] -= frame.ticks;
     done = frame.tick;
     if (done > of.plan.warmUp_ticks) tickCost_s_[contender] = (clock_s() - start_s) / done;
-    const bool open = !screen_ || !screen_->open || screen_->open();
-    return tell(doing, frame.tick, of.plan.ticks, left_s()) && open;
+    return tell(doing, frame.tick, of.plan.ticks, left_s());
   });
   if (!run.whole) ended_ = true;
   if (run.frames.frames.empty() || (!run.whole && of.runs[contender] > 0)) return;
   of.figures[contender].add(run.frames);
   if (run.whole) of.hashes[contender] = fmt::format("{:016x}", run.hash);
+  of.cut[contender] = !run.whole;
   const double cost = stageTimersCost(run.frames);
   if (std::isfinite(cost)) timersCost_.push_back(cost);
   ++of.runs[contender];
   ++madeRuns_;
+  if (const auto state = askGpu(deviceName_)) gpu_.push_back(*state);  // while its clocks are still up
   runListener_(enemies, choice, round + 1, run.frames);
 }
 
 bool Session::tell(const std::string& doing, uint32_t tick, uint32_t ticks, double left_s) {
-  if (!progressListener_({doing, tick, ticks, left_s})) ended_ = true;
+  const bool open = !screen_ || !screen_->open || screen_->open();
+  if (!progressListener_({doing, tick, ticks, left_s}) || !open) ended_ = true;
   return !ended_;
 }
 
@@ -230,8 +267,11 @@ Setup Session::setupOf(const Scene& first) const {
   setup.drawn =
       plan_.drawn == Drawn::nothing
           ? "nothing: simulation only"
-          : fmt::format("{} {}x{}{}{}", aboutDrawn(plan_.drawn), size_.width, size_.height,
-                        plan_.look.wholeWorld ? ", the whole world" : "", plan_.look.effects ? "" : ", effects off");
+          : fmt::format("{} {}x{}{}{}{}", aboutDrawn(plan_.drawn), size_.width, size_.height,
+                        plan_.look.wholeWorld ? ", the whole world" : "", plan_.look.effects ? "" : ", effects off",
+                        plan_.look.glow == kGlowLow   ? ""
+                        : plan_.look.glow == kGlowOff ? ", glow off"
+                                                      : ", glow high");
   setup.pacing = plan_.paced ? "real time" : "a tick a frame";
   setup.ticks = first.replay.ticks();
   setup.warmUp = std::min(kWarmUp_ticks, setup.ticks / 4);
@@ -244,9 +284,9 @@ void Session::warn(Report& report, const MachineUse& use) const {
   const double others = use.othersShare();
   if (others > kBusy) {
     report.warnings.push_back(fmt::format(
-        "Other programs took {:.0f} % of the processors' time meanwhile: figures are noisy; measure again on an idle "
+        "{} took {:.0f} % of the processors' time meanwhile: figures are noisy; measure again on an idle "
         "machine.",
-        100 * others));
+        plan_.drawn == Drawn::window ? "Other programs, the display's among them," : "Other programs", 100 * others));
   }
   if (plan_.runs < kRunsForInterval) {
     report.warnings.push_back(fmt::format("{} run{} too few for intervals: ask for --runs {} or more.", plan_.runs,
@@ -263,6 +303,11 @@ void Session::warn(Report& report, const MachineUse& use) const {
   }
   if (screen_ && (screen_->context->size().width != size_.width || screen_->context->size().height != size_.height)) {
     report.warnings.push_back("The window changed its size meanwhile: its frames are of two kinds; measure again.");
+  }
+  for (const std::string& contender : cutShort_) {
+    report.warnings.push_back(contender +
+                              " is not compared: a run of it, or of the first contender, was cut short and "
+                              "is the only one.");
   }
   if (report.setup.interrupted) {
     report.warnings.push_back(

@@ -54,10 +54,12 @@ class Session {
 
  private:
   struct CaseRuns;
+  void begin();
   Scene sceneFor(uint32_t enemies);
   void openScreen(bool onCuda);
   std::unique_ptr<Simulation> make(const SimulationConfig& config);
   Case playCase(const Scene& scene, size_t index, const SetupListener& setups);
+  void finish(Case& played, const CaseRuns& of);
   void playRun(const Scene& scene, uint32_t enemies, uint32_t round, CaseRuns& of, size_t contender);
   bool tell(const std::string& doing, uint32_t tick, uint32_t ticks, double left_s);
   double left_s() const;
@@ -77,9 +79,11 @@ class Session {
   std::string deviceName_;
   bool ended_ = false;  // somebody wants no more
   uint32_t madeRuns_ = 0;
-  std::vector<double> tickCost_s_;   // by contender, of its last run; 0: not known yet
-  std::vector<uint64_t> ticksToGo_;  // by contender
-  std::vector<double> timersCost_;   // share, of each run
+  std::vector<double> tickCost_s_;     // by contender, of its last run; 0: not known yet
+  std::vector<uint64_t> ticksToGo_;    // by contender
+  std::vector<double> timersCost_;     // share, of each run
+  std::vector<GpuState> gpu_;          // after each run
+  std::vector<std::string> cutShort_;  // whom nobody is compared with
 };
 
 }  // namespace gw::profile
