@@ -90,6 +90,21 @@ TEST(ContenderFigures, BinSecondsBySixtyTicks) {
   EXPECT_DOUBLE_EQ(contender.seconds[2].live, 80);
 }
 
+TEST(ContenderFigures, DisturbedFramesTellStagesAlone) {
+  RunFrames run = runOf(180, 4);
+  for (Frame& frame : run.frames) {
+    frame.disturbed = frame.staged;
+    if (frame.staged) frame.total_ms = frame.simulation_ms = 1e6;
+  }
+  const Contender contender = contenderOf("ngrid", {run});
+  EXPECT_EQ(contender.stages_ms, (std::vector<double>{1, 2}));
+  ASSERT_EQ(contender.seconds.size(), 2u);
+  EXPECT_EQ(contender.seconds[0].stages_ms, (std::vector<double>{1, 2}));
+  EXPECT_DOUBLE_EQ(contender.seconds[0].fps.value, 250);
+  EXPECT_DOUBLE_EQ(contender.overall.at("frame_ms.longest").value, 4);
+  EXPECT_LT(contender.histogram.back().to_ms, 10);
+}
+
 TEST(ContenderFigures, TakeMediansOverLiveEnemies) {
   RunFrames run = runOf(60, 1);
   run.frames.clear();

@@ -190,6 +190,25 @@ TEST(RunMetrics, LeaveOutWhatIsUnknown) {
   }
 }
 
+// On cuda a tick that is timed by stages is another graph: what it took is no figure of the game.
+TEST(RunMetrics, TotalsLeaveOutWhatTimersDisturb) {
+  RunFrames run = wholeRun();
+  const MetricValues before = metricsOf(run);
+  Frame timed = run.frames[3];
+  timed.total_ms = timed.simulation_ms = timed.draw_ms = timed.latency_ms = 1e6;
+  timed.live = 0;
+  timed.staged = timed.disturbed = true;
+  timed.stages_ms = {1, 3, 5};
+  run.frames.push_back(timed);
+  MetricValues values = metricsOf(run);
+  EXPECT_NE(values["upkeep_ms.mean"], before.at("upkeep_ms.mean")) << "its stages count";
+  for (const char* name : {"upkeep_ms.mean", "think_ms.mean", "upkeepAndGathering_ms.mean"}) {
+    values[name] = before.at(name);
+  }
+  values["worstOfFirst5s_ms"] = before.at("worstOfFirst5s_ms");
+  EXPECT_EQ(values, before);
+}
+
 TEST(RunMetrics, OfTicksAloneHaveNoPictures) {
   RunFrames run = wholeRun();
   run.drawn = false;
