@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
-"""profile from the command line to the folder of its report: what it measures, refuses and leaves behind.
+"""profile from the command line to the folder of its report: what it measures, refuses and leaves behind. What it draws
+is profile_drawn_e2e.py's.
 
-    profile_e2e.py GPUWARS FORGE_REPLAY FOLDER
+    profile_e2e.py GPUWARS FORGE_REPLAY SCHEMA FOLDER
 """
 import csv
 import json
 import os
+import pty
+import re
 import resource
 import shutil
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 from program import Failures, run, without_display
@@ -43,23 +45,41 @@ class Session:
         good = len(stderr.splitlines()) == 1 and says in stderr
         self.failures.check(good, f"{name}: one sentence: {stderr.strip()!r}")
 
-    def interrupt(self, name, after_s, out, *arguments):
-        """Ctrl-C so long after the folder of the report was made, which is the first thing that happens."""
+    def interrupt(self, name, when, out, *arguments):
+        """Ctrl-C as soon as what a terminal is shown of the progress matches `when`."""
+        terminal, side = pty.openpty()
         child = subprocess.Popen([str(part) for part in (self.program, "profile", "--device", "cpu", "--out", out, *arguments)],
-                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=without_display())
-        for _ in range(600):
-            if (out / "plots").exists() or child.poll() is not None:
-                break
-            time.sleep(0.1)
-        time.sleep(after_s)
-        child.send_signal(signal.SIGINT)
-        stdout, stderr = child.communicate(timeout=60)
-        print(f"      {name}: exit {child.returncode}: {stderr.strip()}")
-        return child.returncode, stdout, stderr
+                                 stdout=subprocess.PIPE, stderr=side, text=True, env=without_display())
+        os.close(side)
+        shown, interrupted = "", False
+        try:
+            while part := os.read(terminal, 4096):
+                shown += part.decode(errors="replace")
+                if not interrupted and re.search(when, shown):
+                    interrupted = True
+                    child.send_signal(signal.SIGINT)
+        except OSError:  # nobody holds its other side any more
+            pass
+        os.close(terminal)
+        stdout = child.communicate(timeout=60)[0]
+        said = re.split(r"\r\x1b\[K", shown)[-1].strip()
+        print(f"      {name}: exit {child.returncode}: {said}")
+        self.failures.check(interrupted, f"{name}: the progress was shown")
+        return child.returncode, stdout, said, shown
 
 
-def check_report(failures, out, runs):
+def check_schema(failures, report, schema):
+    try:
+        import jsonschema
+    except ImportError:
+        return print("      no jsonschema here: report.json was not held against its schema")
+    offences = list(jsonschema.Draft202012Validator(json.loads(schema.read_text())).iter_errors(report))
+    return failures.check(not offences, f"report.json is as its schema says {[str(o)[:200] for o in offences[:2]]}")
+
+
+def check_report(failures, out, runs, schema):
     report = json.loads((out / "report.json").read_text())
+    check_schema(failures, report, schema)
     failures.check(report["gpuwarsProfile"] == 1, "report.json says its version")
     case = report["cases"][0]
     names = [contender["name"] for contender in case["contenders"]]
@@ -83,7 +103,7 @@ def check_report(failures, out, runs):
 
 
 def main():
-    program, forge, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+    program, forge, schema, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3]), Path(sys.argv[4])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     failures = Failures()
@@ -97,53 +117,49 @@ def main():
     stdout, _ = session.profile("all contenders", FINE, "--replay", good, "--no-draw", "--runs", 2, "--compare", COMPARED,
                                 "--out", out, "--trace", trace)
     failures.check("report.html" in stdout and "too few for intervals" in stdout, "says where the report is, and what it is worth")
-    check_report(failures, out, 2)
+    check_report(failures, out, 2, schema)
     events = json.loads(trace.read_text())["traceEvents"]
     failures.check(len({event["pid"] for event in events}) == 5 and any(event["name"] == "think" for event in events),
                    f"the trace has {len(events)} events of all contenders")
 
-    # Scenes that are recorded first, several numbers of enemies, drawn without a window.
-    drawn = folder / "drawn"
-    got, stdout, stderr = run(program, "profile", "--device", "cpu", "--scene", "ramp", "--ticks", TICKS, "--enemies", "64,256",
-                              "--headless", "--runs", 1, "--width", 320, "--height", 200, "--effects", "off", "--out", drawn)
-    if got == FAILED and "No OpenGL" in stderr:
-        print("      no OpenGL here: drawing was not tried")
-    else:
-        failures.check(got == FINE, f"drawn: exit 0: {stderr.strip()}")
-        cases = json.loads((drawn / "report.json").read_text())["cases"]
-        failures.check([case["enemies"] for case in cases] == [64, 256], "a case for each number of enemies")
-        overall = cases[1]["contenders"][0]["overall"]
-        failures.check(overall["draw_ms.mean"]["value"] > 0 and overall["gl_ms.mean"]["value"] > 0,
-                       "drawing was timed, by OpenGL too")
-        failures.check(all(float(row["draw_ms"]) > 0 for row in rows_of(drawn / "frames.csv")), "every frame was drawn")
-        failures.check("droppedTicks" not in overall, "a tick a frame drops none, so none are told")
+    # A scene that is recorded first.
     session.profile("swarm and its end", FINE, "--scene", "swarm", "--enemies", 64, "--ticks", TICKS, "--no-draw", "--runs", 1,
                     "--out", folder / "swarm")
 
-    # As a gate.
-    stdout, _ = session.profile("beside itself", FINE, "--replay", good, "--no-draw", "--runs", 10, "--out", folder / "gate")
+    # As a gate: beside itself, slower, of another length, from another machine.
+    ten = ("--replay", good, "--no-draw", "--runs", 10)
+    session.profile("a baseline", FINE, *ten, "--out", folder / "gate")
     baseline = folder / "gate/report.json"
     _, stderr = session.profile("a baseline that is none", FILE, "--replay", good, "--no-draw", "--out", folder / "x",
                                 "--baseline", good)
     failures.check(len(stderr.splitlines()) == 1 and "report.json" in stderr, f"says so: {stderr.strip()!r}")
-    old = json.loads(baseline.read_text())
-    for old_run in old["cases"][0]["contenders"][0]["runs"]:
-        old_run["ticksPerSecond"] *= 50
-        old_run["frame_ms.p99"] /= 50
-    fast = folder / "fast.json"
-    fast.write_text(json.dumps(old))
-    stdout, _ = session.profile("slower than its baseline", FAILED, "--replay", good, "--no-draw", "--runs", 10,
-                                "--out", folder / "gate1", "--baseline", fast)
-    failures.check("slower" in stdout and (folder / "gate1/report.json").exists(), "says so, and leaves its report")
+
+    def changed(name, times_faster, **machine):
+        """The baseline as of a machine that was so many times as fast."""
+        old = json.loads(baseline.read_text())
+        for old_run in old["cases"][0]["contenders"][0]["runs"]:
+            old_run["ticksPerSecond"] *= times_faster
+            for metric in ("frame_ms.p99", "upkeepAndGathering_ms.mean"):
+                old_run[metric] /= times_faster
+        old["machine"].update(machine)
+        file = folder / f"{name}.json"
+        file.write_text(json.dumps(old))
+        return file
+
+    stdout, _ = session.profile("faster than its baseline", FINE, *ten, "--out", folder / "gate0",
+                                "--baseline", changed("slow", 0.02))
+    failures.check("Gate: passed" in stdout, "passes the gate")
+    stdout, _ = session.profile("slower than its baseline", FAILED, *ten, "--out", folder / "gate1",
+                                "--baseline", changed("fast", 50))
+    failures.check("slower" in stdout and "Gate: failed" in stdout and (folder / "gate1/report.json").exists(),
+                   "says so, and leaves its report")
     session.refused("a baseline of another length", FILE, "--replay", good, "--no-draw", "--ticks", 100, "--baseline", baseline,
                     "--out", folder / "gate3", says="number of ticks")
     failures.check(not (folder / "gate3/report.json").exists(), "before anything is measured")
-    old["machine"]["cpu"] = "another processor"
-    other = folder / "other.json"
-    other.write_text(json.dumps(old))
-    stdout, stderr = session.profile("a baseline from another machine", FINE, "--replay", good, "--no-draw", "--runs", 10,
-                                     "--out", folder / "gate2", "--baseline", other)
-    failures.check("another processor" in stdout + stderr, "says that it is from another machine")
+    stdout, _ = session.profile("a baseline from another machine", FINE, *ten, "--out", folder / "gate2",
+                                "--baseline", changed("other", 50, cpu="another processor", commit="0123456789ab"))
+    failures.check("another processor" in stdout and "0123456789ab" in stdout and "Gate: cannot judge" in stdout,
+                   "says that it is from another machine and version, and does not judge")
 
     # What cannot be measured.
     session.refused("a replay that differs", DESYNC, "--replay", bad, "--no-draw", "--runs", 1, "--out", folder / "bad",
@@ -161,15 +177,19 @@ def main():
                    f"a folder without room: exit 3, one sentence: {full.stderr.strip()!r}")
     failures.check(not (folder / "full/report.json").exists(), "and no half of a report")
 
+    session.refused("more ticks than it has", FILE, "--replay", good, "--no-draw", "--ticks", TICKS + 1, "--out", folder / "x",
+                    says=f"has {TICKS} ticks")
+    session.refused("a case twice", USAGE, "--enemies", "64,64", "--no-draw", "--out", folder / "x", says="names 64 twice")
+
     # Ctrl-C: what there is, or that there is nothing.
     long = ["--scene", "five-minutes", "--no-draw", "--runs", 10, "--compare", "ngrid,grid"]
-    code, stdout, _ = session.interrupt("in the first run", 4, folder / "short", *long)
+    code, stdout, _, shown = session.interrupt("in the first run", r"run 1 of 10, ngrid: [1-9]\d+ of 18000", folder / "short", *long)
     report = json.loads((folder / "short/report.json").read_text())
     failures.check(code == FINE and report["setup"]["interrupted"] and "Interrupted after 1 run:" in stdout,
                    "Ctrl-C leaves a report of what there was")
-    code, _, stderr = session.interrupt("while the scene is recorded", 1, folder / "nothing", "--scene", "ramp", "--enemies", 100000,
-                                        "--no-draw")
-    failures.check(code == FAILED and "before a single frame" in stderr and len(stderr.splitlines()) == 1,
+    code, _, said, shown = session.interrupt("while the scene is recorded", r"recording ramp.*: [1-9]\d* of 3600, about .* left",
+                                             folder / "nothing", "--scene", "ramp", "--enemies", 8000, "--no-draw")
+    failures.check(code == FAILED and "before a single frame" in said and len(said.splitlines()) == 1,
                    "Ctrl-C before the first frame is said")
     failures.check(not list(folder.glob("*/*.part-*")) and not os.path.exists(folder / "nothing/report.json"),
                    "nothing half-written is left")

@@ -54,7 +54,7 @@ struct CurvePoint {
 struct Contender {
   std::string name;                         // "ngrid"
   std::string about;                        // "NGrid, exact gather, frozen rows"
-  bool shadow = false;                      // only upkeep and gathering, on the positions of the first contender's run
+  bool shadow = false;                      // only upkeep and gathering, on the positions of an exact run beside it
   std::string hash;                         // of the last tick, 16 hexadecimal digits; "" in shadow
   std::vector<MetricValues> runs;           // in the order in which they were made
   std::map<std::string, Estimate> overall;  // mean over runs

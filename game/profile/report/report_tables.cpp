@@ -146,7 +146,7 @@ std::string contenderTable(const Case& of) {
   for (const Contender& contender : of.contenders) {
     table.row(xmlEscaped(contender.name),
               {textCell(contender.about), wholeText(double(contender.runs.size())),
-               contender.shadow ? "none: in shadow, on the positions of the first contender's run"
+               contender.shadow ? "none: in shadow, on the positions of an exact run beside it"
                                 : "<code>" + textCell(contender.hash) + "</code>"});
   }
   return table.whole();

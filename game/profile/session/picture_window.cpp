@@ -20,7 +20,10 @@ Screen openWindow(PixelSize size) {
     Screen screen{makeSdlContext(window), {}, "window"};
     screen.open = [] {
       bool open = true;
-      for (SDL_Event event; SDL_PollEvent(&event) != 0;) open = open && event.type != SDL_QUIT;
+      for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
+        const bool escape = event.type == SDL_KEYDOWN && event.key.keysym.scancode == SDL_SCANCODE_ESCAPE;
+        open = open && event.type != SDL_QUIT && !escape;
+      }
       return open;
     };
     return screen;
