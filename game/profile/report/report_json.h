@@ -14,5 +14,7 @@ std::string reportJson(const Report& report);
 
 // Throws FileError for what is no report of this version: damaged, cut short, or with something missing.
 Report readReport(const std::filesystem::path& path);
+// The same from its text; `shown` is what a refusal calls it.
+Report reportIn(const std::string& text, const std::filesystem::path& shown);
 
 }  // namespace gw::profile

@@ -24,6 +24,14 @@ namespace fs = std::filesystem;
                   file.string(), why));
 }
 
+// A key as a sentence may hold it: somebody's own may have anything in it.
+std::string shown(std::string key) {
+  for (char& c : key) {
+    if (static_cast<unsigned char>(c) < ' ') c = '?';
+  }
+  return key;
+}
+
 // A value of the file, and where it stands: "cases[0].enemies".
 class Value {
  public:
@@ -74,7 +82,7 @@ class Value {
   Map map(const Read& read) const {
     if (!json_.is_object()) notA("an object");
     Map items;
-    for (const auto& [key, item] : json_.items()) items[key] = read(Value(file_, item, place_ + "." + key));
+    for (const auto& [key, item] : json_.items()) items[key] = read(Value(file_, item, place_ + "." + shown(key)));
     return items;
   }
 
@@ -88,7 +96,7 @@ class Value {
   std::string place_;
 };
 
-std::string text(const Value& json) {
+std::string textOf(const Value& json) {
   return json.text();
 }
 double number(const Value& json) {
@@ -151,7 +159,7 @@ Contender contender(const Value& json) {
   contender.hash = json["hash"].text();
   contender.runs = json["runs"].list([](const Value& run) { return run.map<MetricValues>(number); });
   contender.overall = json["overall"].map<std::map<std::string, Estimate>>(estimate);
-  contender.stages = json["stages"].list(text);
+  contender.stages = json["stages"].list(textOf);
   contender.stages_ms = json["stages_ms"].list(number);
   contender.seconds = json["seconds"].list(second);
   contender.histogram = json["histogram"].list([](const Value& bin) {
@@ -197,7 +205,11 @@ std::string contentOf(const fs::path& path) {
 }  // namespace
 
 Report readReport(const fs::path& path) {
-  const Json json = Json::parse(contentOf(path), nullptr, false);
+  return reportIn(contentOf(path), path);
+}
+
+Report reportIn(const std::string& text, const fs::path& path) {
+  const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) refuse(path, "it is not JSON, or was cut short");
   const Value root(path, json);
   const auto version = root["gpuwarsProfile"].whole<uint32_t>();
@@ -210,7 +222,7 @@ Report readReport(const fs::path& path) {
   report.cases = root["cases"].list(oneCase);
   report.growth = root["growth"].list(growth);
   report.stageTimersCost = root["stageTimersCost"].number();
-  report.warnings = root["warnings"].list(text);
+  report.warnings = root["warnings"].list(textOf);
   return report;
 }
 
