@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
     std::fputs(parsed.output.c_str(), stdout);
     return parsed.error.empty() ? int(parsed.code) : fail(parsed.code, parsed.error);
   }
+  std::signal(SIGCHLD, SIG_DFL);  // else the ends of programs that it starts may be kept from it
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is a write that fails, and is said in a sentence
   try {
     return int(runVerb(parsed.options));

@@ -17,9 +17,9 @@ bool Run::collect() {
   const TickReport report = simulation_->report();
   --queued_;
   if (over()) return false;
+  if (recorder_ && !recorder_->append(report)) finishRecording();  // full, four hours: with the last tick that it holds
   monitor_.add(report);
   effects_.add(report);
-  if (recorder_ && !recorder_->append(report)) finishRecording();  // full: four hours
   if (over()) finishRecording();
   return true;
 }

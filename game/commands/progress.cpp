@@ -11,7 +11,11 @@ Progress::Progress(std::string what, uint64_t of)
     : what_(std::move(what)), of_(of), terminal_(isatty(STDERR_FILENO) != 0), next_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
-  if (shown_) std::fputs("\r\033[K", stderr);
+  clear();
+}
+
+void Progress::clear() {
+  if (std::exchange(shown_, false)) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::show(uint64_t done, const std::string& more) {

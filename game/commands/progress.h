@@ -14,6 +14,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  // Takes its line away, so that something else can be said there.
+  void clear();
+
   // Cheap: writes a few times a second. `more` is said behind it.
   void show(uint64_t done, const std::string& more = {});
 

@@ -7,6 +7,7 @@
 #include "game/commands/hash_file.h"
 #include "game/commands/progress.h"
 #include "game/device_choice.h"
+#include "game/files/part_file.h"
 #include "game/interrupt.h"
 #include "game/replay/replay_reader.h"
 #include "game/replay/replay_writer.h"
@@ -72,6 +73,12 @@ ExitCode trimReplay(const Options& options) {
   const Replay recorded = readReplay(file, SimulationVersions::current, Completeness::partial);
   const uint32_t ticks = ticksToRun(recorded, options);
   checkWritable(options.outPath);
+  std::error_code unequal;
+  if (std::filesystem::equivalent(file, options.outPath, unequal) && isBeingWritten(file)) {
+    throw UserError(ExitCode::badFile, file.string() +
+                                           " is still being recorded by a running game, which removes it at the "
+                                           "end; give '--out' another name.");
+  }
   SimulationConfig config = replayConfig(recorded);
   setComputingOf(config, options, file.string());
   const std::unique_ptr<Simulation> simulation = makeSimulation(chooseDevice(options.device), config);

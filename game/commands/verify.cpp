@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <functional>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -36,15 +37,23 @@ std::vector<Outcome> verifyAll(const Options& options, const DeviceChoice& devic
   std::atomic<size_t> next{0};
   std::mutex saying;
   size_t said = 0, finished = 0;
-  Progress progress("replay", count);
+  std::atomic<uint64_t> ticks{0};
+  Progress progress("replays verified", count);
+  const auto show = [&] { progress.show(finished, ", " + withCommas(ticks) + " ticks"); };
+  const std::function<void()> ticked = [&] {
+    if (++ticks % 64 != 0) return;
+    if (const std::unique_lock lock(saying, std::try_to_lock); lock) show();
+  };
   const auto work = [&] {
     for (size_t i = next++; i < count; i = next++) {
-      Outcome outcome = verifyReplay(options.files[i], options, device);
+      Outcome outcome = verifyReplay(options.files[i], options, device, ticked);
       const std::lock_guard lock(saying);
       outcomes[i] = std::move(outcome);
       done[i] = true;
-      progress.show(++finished);
+      ++finished;
+      if (done[said]) progress.clear();
       for (; said < count && done[said]; ++said) sayOutcome(outcomes[said], quiet);
+      show();
     }
   };
   std::vector<std::thread> helpers;
@@ -69,7 +78,9 @@ ExitCode verifyReplays(const Options& options) {
   catchInterrupts();
   const DeviceChoice device = chooseDevice(options.device);
   HashFile hashes(options.hashesPath);
-  if (!options.junitPath.empty()) checkWritable(options.junitPath);  // before an hour of work
+  for (const std::filesystem::path& path : {options.jsonPath, options.junitPath}) {
+    if (!path.empty() && path != "-") checkWritable(path);  // before an hour of work
+  }
   const bool quiet = hashes.isStdout() || options.jsonPath == "-";
   if (!quiet && !device.why.empty()) std::printf("%s\n", device.why.c_str());
 
@@ -81,12 +92,23 @@ ExitCode verifyReplays(const Options& options) {
   }
   hashes.close();
   if (!quiet && device.cuda) std::printf("%s CUDA kernels run\n", withCommas(cudaKernelsRun).c_str());
-  if (!options.jsonPath.empty()) writeAsJson(options.jsonPath, outcomes);
-  if (!options.junitPath.empty()) {
+  ExitCode code = worst(outcomes);
+  // What cannot be written keeps neither the other from being written nor a desync from being told.
+  const auto written = [&](const std::filesystem::path& path, const auto& write) {
+    if (path.empty()) return;
+    try {
+      write();
+    } catch (const FileError& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      code = std::max(code, ExitCode::badFile);
+    }
+  };
+  written(options.jsonPath, [&] { writeAsJson(options.jsonPath, outcomes); });
+  written(options.junitPath, [&] {
     const std::string xml = junitXml(outcomes);
     writeFileAtomically(options.junitPath, {reinterpret_cast<const uint8_t*>(xml.data()), xml.size()});
-  }
-  return worst(outcomes);
+  });
+  return code;
 }
 
 }  // namespace gw

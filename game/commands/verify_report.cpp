@@ -37,6 +37,7 @@ std::string failureText(const Outcome& outcome) {
                   : "; by tick " + std::to_string(outcome.fields->tick) + " " + listed(outcome.fields->fields) +
                         (outcome.fields->fields.size() == 1 ? " differs" : " differ");
     }
+    if (!outcome.fields && outcome.compared == outcome.ticks) text += "; no hashes by field are kept from there on";
     if (!outcome.reference.empty()) text += "; so it is on both sides";
     return text + "; see docs/determinism.md for how to find the cause.\n";
   }

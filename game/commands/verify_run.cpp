@@ -26,7 +26,8 @@ bool same(const Snapshot& a, const Snapshot& b) {
 
 class Verification {
  public:
-  Verification(Outcome& outcome, const Replay& replay) : outcome_(outcome), replay_(replay) {
+  Verification(Outcome& outcome, const Replay& replay, const std::function<void()>& ticked)
+      : outcome_(outcome), replay_(replay), ticked_(ticked) {
     outcome_.ticks = replay.ticks();
   }
 
@@ -38,7 +39,7 @@ class Verification {
     while (outcome_.compared < replay_.ticks() && !interrupted() && outcome_.wrong.empty()) {
       while (queued < replay_.ticks() && queued - outcome_.compared < ahead) simulation.tick(replay_.inputs[queued++]);
       hear(simulation.report());
-      if (heavy) takeAndRestore(simulation);
+      if (heavy && !outcome_.first) takeAndRestore(simulation);  // what is wrong already may not be restored
     }
   }
 
@@ -53,6 +54,7 @@ class Verification {
     const uint32_t tick = outcome_.compared++;
     outcome_.hashes.push_back(report.hash);
     outcome_.facts.add(report);
+    ticked_();
     if (report.hash != replay_.hashes[tick] && !outcome_.first) {
       outcome_.first = HashDifference{tick + 1, replay_.hashes[tick], report.hash};
     }
@@ -98,9 +100,11 @@ class Verification {
 
   Outcome& outcome_;
   const Replay& replay_;
+  const std::function<void()>& ticked_;
 };
 
-// What the reference's command line says after the file: its own options, else those of this one.
+// What the reference's command line says after the file: its own options, and none of this one's, which an older build
+// may not know.
 std::vector<std::string> referenceArguments(const std::filesystem::path& file, const Options& options) {
   std::vector<std::string> arguments{"probe", file.string()};
   for (size_t begin = 0; begin < options.referenceOptions.size();) {
@@ -121,7 +125,7 @@ void playBeside(Outcome& outcome, Verification& verification, const Replay& repl
     reference = std::make_unique<LocalProbe>([other, config] { return makeSimulation(other, config); }, replay.inputs);
     outcome.reference = reference->name();
   } else {
-    reference = std::make_unique<RemoteProbe>(options.reference, referenceArguments(file, options));
+    reference = std::make_unique<RemoteProbe>(options.reference, referenceArguments(file, options), interrupted);
     outcome.reference = reference->name() + ", " + options.reference.string();
   }
   verification.runBeside(own, *reference);
@@ -133,7 +137,8 @@ void playBeside(Outcome& outcome, Verification& verification, const Replay& repl
 
 }  // namespace
 
-Outcome verifyReplay(const std::filesystem::path& file, const Options& options, const DeviceChoice& device) {
+Outcome verifyReplay(const std::filesystem::path& file, const Options& options, const DeviceChoice& device,
+                     const std::function<void()>& ticked) {
   Outcome outcome;
   outcome.file = file.string();
   try {
@@ -141,10 +146,11 @@ Outcome verifyReplay(const std::filesystem::path& file, const Options& options, 
     SimulationConfig config = replayConfig(replay);
     outcome.config = config;
     setComputingOf(config, options, outcome.file);
-    if (config.threads == 0 && options.jobs > 1) {  // the machine is shared between the jobs
-      config.threads = std::max(1u, std::thread::hardware_concurrency() / options.jobs);
+    const uint32_t jobs = std::min(options.jobs, uint32_t(options.files.size()));
+    if (config.threads == 0 && jobs > 1) {  // the machine is shared between the jobs
+      config.threads = std::max(1u, std::thread::hardware_concurrency() / jobs);
     }
-    Verification verification(outcome, replay);
+    Verification verification(outcome, replay, ticked);
     const auto start = Clock::now();
     if (options.against || !options.reference.empty()) {
       playBeside(outcome, verification, replay, config, options, device, file);
@@ -167,6 +173,7 @@ Outcome verifyReplay(const std::filesystem::path& file, const Options& options, 
   } catch (const std::exception& error) {
     outcome.error = error.what();
   }
+  if (outcome.first || outcome.desync) outcome.code = ExitCode::desync;  // whatever went wrong after it
   return outcome;
 }
 

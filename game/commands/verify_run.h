@@ -1,6 +1,7 @@
 // One replay run again: what was compared, and what came of it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,7 +41,8 @@ struct Outcome {
   SimulationConfig config;  // the replay's own
 };
 
-// Never throws: what goes wrong is in the outcome.
-Outcome verifyReplay(const std::filesystem::path& file, const Options& options, const DeviceChoice& device);
+// Never throws: what goes wrong is in the outcome. `ticked` is told of every tick, on this thread.
+Outcome verifyReplay(const std::filesystem::path& file, const Options& options, const DeviceChoice& device,
+                     const std::function<void()>& ticked);
 
 }  // namespace gw

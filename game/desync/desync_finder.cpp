@@ -1,6 +1,7 @@
 #include "game/desync/desync_finder.h"
 
 #include <algorithm>
+#include <exception>
 
 namespace gw {
 namespace {
@@ -36,9 +37,9 @@ class Finder {
       const auto entities = differing(stage.entities, other->entities);
       if (globals.empty() && entities.empty()) continue;
       desync_.stage = stage.stage;
-      desync_.fields = globals;
-      desync_.fields.insert(desync_.fields.end(), entities.begin(), entities.end());
-      globals.empty() ? findEntity(entities.front()) : findGlobal(globals.front());
+      desync_.fields = entities;
+      desync_.fields.insert(desync_.fields.end(), globals.begin(), globals.end());
+      entities.empty() ? findGlobal(globals.front()) : findEntity(entities.front());
       return true;
     }
     return false;
@@ -86,7 +87,7 @@ bool onlyHashesDiffer(Probe& own, Probe& reference, const Desync& desync, uint32
   return own.play(1) != reference.play(1);
 }
 
-void place(Probe& own, Probe& reference, Desync& desync, uint32_t equalTicks) {
+void findPlace(Probe& own, Probe& reference, Desync& desync, uint32_t equalTicks) {
   const auto back = [&] {
     own.goBack();
     reference.goBack();
@@ -108,6 +109,19 @@ void place(Probe& own, Probe& reference, Desync& desync, uint32_t equalTicks) {
   restart();
   desync.fromStart = onlyHashesDiffer(own, reference, desync, 0);
   if (desync.fromStart) desync.stage = "hash";
+}
+
+// That the two part is known, whatever becomes of asking where.
+void place(Probe& own, Probe& reference, Desync& desync, uint32_t equalTicks) {
+  try {
+    findPlace(own, reference, desync, equalTicks);
+  } catch (const std::exception& error) {
+    const Desync known = desync;
+    desync = {};
+    desync.tick = known.tick;
+    desync.hashes = known.hashes;
+    desync.unplaced = error.what();
+  }
 }
 
 }  // namespace

@@ -21,8 +21,10 @@ struct Desync {
   // Empty when the two could not be made to part again, neither from the last snapshot nor from the start: then what
   // made them part is not in the state, or chance.
   std::string stage;
-  // What differs after it, the first in the order of the table. Empty: all values are equal, and only the hashes are
-  // not.
+  // A side broke off while it was asked: what it said. All below but the tick and the hashes is then unknown.
+  std::string unplaced{};
+  // What differs after it, the first in the order of the table, entities before globals. Empty: all values are equal,
+  // and only the hashes are not.
   std::string field;
   bool fromStart = false;        // parted again only when played from the start: snapshots do not hold the cause
   std::optional<uint32_t> id{};  // none: a global

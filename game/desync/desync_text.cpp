@@ -97,6 +97,9 @@ std::string desyncText(const Desync& desync, const DesyncNames& names) {
       "  reference     {:016x}  {}\n",
       desync.tick, desync.hashes[0], names.own, desync.hashes[1], names.reference);
   lines += whoAgrees(desync, names);
+  if (!desync.unplaced.empty()) {
+    return lines + fmt::format("  Where could not be found out: {}\n", desync.unplaced);
+  }
   if (desync.stage.empty()) {
     return lines +
            "  Played again, from the last snapshot and from the start, the two were equal: something that is no "
@@ -137,6 +140,10 @@ nlohmann::ordered_json desyncJson(const Desync& desync, const DesyncNames& names
   both("sides", [&](size_t side) { return side == 0 ? names.own : names.reference; });
   both("hashes", [&](size_t side) { return fmt::format("{:016x}", desync.hashes[side]); });
   if (names.recorded) json["recorded"] = fmt::format("{:016x}", *names.recorded);
+  if (!desync.unplaced.empty()) {
+    json["unplaced"] = desync.unplaced;
+    return json;
+  }
   json["partsAgain"] = !desync.stage.empty();
   if (desync.stage.empty()) return json;
   json["fromStart"] = desync.fromStart;

@@ -138,7 +138,8 @@ std::vector<NearEntity> LocalProbe::around(const std::string& stage, uint32_t id
   for (uint32_t other = 0; other < columns[0].values->size(); ++other) {
     if (other == id || typeOf(other) == kTypeNone) continue;
     const double dx = double(real(1, other)) - real(1, id), dy = double(real(2, other)) - real(2, id);
-    near.push_back({other, typeOf(other), float(dx * dx + dy * dy)});
+    const float distance2 = float(dx * dx + dy * dy);
+    if (std::isfinite(distance2)) near.push_back({other, typeOf(other), distance2});  // a place may be what is damaged
   }
   const auto nearer = [](const NearEntity& a, const NearEntity& b) {
     return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.id < b.id;

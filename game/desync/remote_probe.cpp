@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "game/desync/probe_protocol.h"
 #include "game/processes/child_process.h"
@@ -11,12 +12,14 @@ namespace gw {
 
 using nlohmann::json;
 
-RemoteProbe::RemoteProbe(const std::filesystem::path& program, const std::vector<std::string>& arguments)
-    : program_(program.string()) {
+RemoteProbe::RemoteProbe(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                         std::function<bool()> giveUp)
+    : program_(program.string()), giveUp_(std::move(giveUp)) {
   try {
-    child_ = std::make_unique<ChildProcess>(program, arguments);
+    child_ = std::make_unique<ChildProcess>(program, arguments, giveUp_);
     std::string line;
     if (!child_->readLine(line)) {
+      refuseToWait();
       throw ProbeError(
           fmt::format("{} ended before it had played anything; give a build of GpuWars that knows 'gpuwars probe', and "
                       "options that it takes",
@@ -45,6 +48,7 @@ template <class Read>
 auto RemoteProbe::ask(const json& question, const Read& read) {
   std::string line;
   if (!child_->writeLine(question.dump()) || !child_->readLine(line)) {
+    refuseToWait();
     throw ProbeError(
         fmt::format("{} ended while it was asked to '{}'; run it by itself with 'gpuwars verify' to see why", program_,
                     question.at("do").get<std::string>()));
@@ -58,6 +62,10 @@ auto RemoteProbe::ask(const json& question, const Read& read) {
   } catch (const json::exception&) {
     throw answeredElse();
   }
+}
+
+void RemoteProbe::refuseToWait() const {
+  if (giveUp_ && giveUp_()) throw ProbeError(fmt::format("interrupted while {} was waited for", program_));
 }
 
 ProbeError RemoteProbe::answeredElse() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
@@ -19,8 +20,10 @@ class ChildProcess;
 
 class RemoteProbe final : public Probe {
  public:
-  // Starts it; throws ProbeError when it does not come up. Every question may throw that, too.
-  RemoteProbe(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  // Starts it; throws ProbeError when it does not come up. Every question may throw that, too. `giveUp` is asked now
+  // and then while it does not answer.
+  RemoteProbe(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+              std::function<bool()> giveUp = {});
   ~RemoteProbe() override;
 
   std::string name() const override { return name_; }
@@ -38,8 +41,10 @@ class RemoteProbe final : public Probe {
  private:
   template <class Read>
   auto ask(const nlohmann::json& question, const Read& read);
+  void refuseToWait() const;  // throws when nobody waits any longer
   ProbeError answeredElse() const;
 
+  std::function<bool()> giveUp_;
   std::string program_, name_;
   std::unique_ptr<ChildProcess> child_;
 };

@@ -78,17 +78,13 @@ void becomeTarget(OpenPart& part, const fs::path& shown, const fs::path& target)
   syncFolder(target);
 }
 
-namespace {
-
-bool beingWritten(const fs::path& part) {
+bool isBeingWritten(const fs::path& part) {
   const int descriptor = open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return false;
   const bool locked = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   close(descriptor);
   return locked;
 }
-
-}  // namespace
 
 std::vector<fs::path> partsLeftBeside(const fs::path& path) {
   const fs::path target = writingDestination(path);
@@ -99,7 +95,7 @@ std::vector<fs::path> partsLeftBeside(const fs::path& path) {
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     if (!at->path().filename().string().starts_with(prefix) || !at->is_regular_file(error)) continue;
     const fs::path part = target.has_parent_path() ? at->path() : at->path().filename();
-    if (!beingWritten(part)) found.push_back(part);
+    if (!isBeingWritten(part)) found.push_back(part);
   }
   std::sort(found.begin(), found.end());
   return found;

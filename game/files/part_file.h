@@ -29,6 +29,9 @@ OpenPart openPart(const std::filesystem::path& shown, const std::filesystem::pat
 // there.
 void becomeTarget(OpenPart& part, const std::filesystem::path& shown, const std::filesystem::path& target);
 
+// Whether a running program holds this temporary file.
+bool isBeingWritten(const std::filesystem::path& part);
+
 // The temporary files beside the target of `path` that no running program writes any more, by name. What cannot be
 // looked at is not among them.
 std::vector<std::filesystem::path> partsLeftBeside(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <system_error>
+#include <utility>
 
 #include "game/files/atomic_file.h"
 #include "game/user_error.h"
@@ -44,9 +45,8 @@ std::string lastLine(std::string text) {
 }  // namespace
 
 FilmFile::FilmFile(const std::filesystem::path& path, PixelSize size, uint32_t framesPerSecond)
-    : path_(path), temporary_(path) {
+    : path_(path), target_(writingDestination(path)) {
   checkWritable(path);
-  temporary_ += fmt::format(".part-{}", getpid());
   std::vector<std::string> arguments = {"ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
   const auto append = [&](const std::vector<std::string>& more) {
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -54,17 +54,29 @@ FilmFile::FilmFile(const std::filesystem::path& path, PixelSize size, uint32_t f
   append({"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", fmt::format("{}x{}", size.width, size.height),
           "-framerate", std::to_string(framesPerSecond), "-i", "pipe:0", "-an", "-c:v"});
   append(encoding());
+  part_ = openPart(path_, target_);
   // Said and meant: players take a film of this size for BT.709 whatever it is.
   append({"-pix_fmt", "yuv420p", "-vf", "scale=out_color_matrix=bt709:out_range=tv", "-colorspace", "bt709",
           "-color_primaries", "bt709", "-color_trc", "bt709", "-movflags", "+faststart", "-f", "mp4"});
-  append({"file:" + temporary_.string()});  // a name with a colon is no protocol
-  encoder_ = start(arguments);
+  append({"file:" + part_.name});  // a name with a colon is no protocol
+  try {
+    encoder_ = start(arguments);
+  } catch (const UserError&) {
+    dropPart();
+    throw;
+  }
 }
 
 FilmFile::~FilmFile() {
   encoder_.reset();
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
+  dropPart();
+}
+
+void FilmFile::dropPart() {
+  if (part_.name.empty()) return;
+  unlink(part_.name.c_str());
+  part_.name.clear();
+  if (part_.descriptor >= 0) close(std::exchange(part_.descriptor, -1));
 }
 
 void FilmFile::fail(const std::string& why) {
@@ -92,9 +104,8 @@ void FilmFile::add(const Image& image) {
 void FilmFile::finish() {
   if (frames_ == 0) return;
   endEncoder();
-  std::error_code error;
-  std::filesystem::rename(temporary_, path_, error);
-  if (error) fail(error.message());
+  becomeTarget(part_, path_, target_);
+  part_.name.clear();
 }
 
 }  // namespace gw

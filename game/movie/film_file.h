@@ -4,8 +4,9 @@
 
 #include <memory>
 
-#include "game/processes/fed_process.h"
+#include "game/files/part_file.h"
 #include "game/movie/frame_sink.h"
+#include "game/processes/fed_process.h"
 
 namespace gw {
 
@@ -21,8 +22,10 @@ class FilmFile final : public FrameSink {
  private:
   [[noreturn]] void fail(const std::string& why);
   void endEncoder();
+  void dropPart();
 
-  std::filesystem::path path_, temporary_;
+  std::filesystem::path path_, target_;
+  OpenPart part_;
   std::unique_ptr<FedProcess> encoder_;
   uint32_t frames_ = 0;
 };

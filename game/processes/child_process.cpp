@@ -1,16 +1,20 @@
 #include "game/processes/child_process.h"
 
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include "game/processes/spawn.h"
 
 namespace gw {
 namespace {
+
+constexpr int kAsk_ms = 100;      // between two looks whether anybody still wants to wait
+constexpr double kGrace_s = 2.0;  // to end by itself once it is not asked any more
 
 // Writing to a pair of sockets can be told not to raise SIGPIPE; both ends vanish when a program is started.
 struct Pair {
@@ -28,7 +32,9 @@ struct Pair {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                           GiveUp giveUp)
+    : giveUp_(std::move(giveUp)) {
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const Pair pair;
@@ -41,13 +47,11 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
   }
   close(pair.theirs);
   socket_ = pair.own;
-  output_ = fdopen(socket_, "r");
 }
 
 ChildProcess::~ChildProcess() {
-  shutdown(socket_, SHUT_WR);
-  std::fclose(output_);
-  waitFor(process_);
+  close(socket_);
+  endWithin(process_, kGrace_s);
 }
 
 bool ChildProcess::writeLine(const std::string& line) {
@@ -62,12 +66,24 @@ bool ChildProcess::writeLine(const std::string& line) {
 }
 
 bool ChildProcess::readLine(std::string& line) {
-  char* text = nullptr;
-  size_t room = 0;
-  const ssize_t length = getline(&text, &room, output_);
-  if (length > 0) line.assign(text, size_t(length) - (text[length - 1] == '\n' ? 1 : 0));
-  std::free(text);
-  return length > 0;
+  for (size_t looked = 0;;) {
+    if (const size_t end = heard_.find('\n', looked); end != std::string::npos) {
+      line = heard_.substr(0, end);
+      heard_.erase(0, end + 1);
+      return true;
+    }
+    looked = heard_.size();
+    pollfd ready{socket_, POLLIN, 0};
+    if (poll(&ready, 1, kAsk_ms) <= 0) {
+      if (giveUp_ && giveUp_()) return false;
+      continue;
+    }
+    char part[65536];
+    const ssize_t length = recv(socket_, part, sizeof part, 0);
+    if (length < 0 && errno == EINTR) continue;
+    if (length <= 0) return false;
+    heard_.append(part, size_t(length));
+  }
 }
 
 }  // namespace gw

@@ -4,8 +4,8 @@
 
 #include <sys/types.h>
 
-#include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,20 +13,23 @@ namespace gw {
 
 class ChildProcess {
  public:
-  // Throws std::system_error when it cannot be started.
-  ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments);
-  ~ChildProcess();  // closes its input, which ends it, and waits
+  using GiveUp = std::function<bool()>;
+
+  // Throws std::system_error when it cannot be started. `giveUp` is asked now and then while it has nothing to say.
+  ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments, GiveUp giveUp);
+  ~ChildProcess();  // closes its input, which ends it; kills what does not end by that
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // False when it has ended.
+  // False when it has ended, or nobody wants to wait for it any longer.
   bool writeLine(const std::string& line);
   bool readLine(std::string& line);
 
  private:
   pid_t process_ = -1;
   int socket_ = -1;
-  std::FILE* output_ = nullptr;  // reads from it
+  GiveUp giveUp_;
+  std::string heard_;  // and not yet read
 };
 
 }  // namespace gw

@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <system_error>
+#include <thread>
 
 extern char** environ;
 
@@ -38,10 +40,24 @@ pid_t spawn(const std::vector<std::string>& arguments, const ProgramStreams& str
   return program;
 }
 
+void endWithin(pid_t program, double seconds) {
+  using namespace std::chrono;
+  const auto end = steady_clock::now() + duration<double>(seconds);
+  while (steady_clock::now() < end) {
+    const pid_t ended = waitpid(program, nullptr, WNOHANG);
+    if (ended == program || (ended < 0 && errno != EINTR)) return;
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  kill(-program, SIGKILL);
+  waitFor(program);
+}
+
 int waitFor(pid_t program) {
   int status = 0;
-  while (waitpid(program, &status, 0) < 0 && errno == EINTR) {
+  pid_t ended;
+  while ((ended = waitpid(program, &status, 0)) < 0 && errno == EINTR) {
   }
+  if (ended < 0) return 128;  // somebody else has heard of its end, so nobody knows how it went
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -17,6 +17,9 @@ struct ProgramStreams {
 // Throws std::system_error when it cannot be started; ENOENT when it is not installed.
 pid_t spawn(const std::vector<std::string>& arguments, const ProgramStreams& streams);
 
+// Gives it so long to end by itself, then kills its group.
+void endWithin(pid_t program, double seconds);
+
 // Waits for its end: its exit code, or 128 and the signal that ended it.
 int waitFor(pid_t program);
 

@@ -13,10 +13,7 @@ using Bytes = std::span<const uint8_t>;
 
 void checkKind(Bytes file, const ReplayRefusal& refusal) {
   if (file.empty()) refusal.refuse(fmt::format("the file is empty; {}", ReplayRefusal::kFetchAgain));
-  if (file.size() > kMaxFileBytes) {
-    refusal.refuse(fmt::format("the file is larger than {} MiB, which no replay is; name a file that --record wrote",
-                               kMaxFileBytes >> 20));
-  }
+  refuseTooLarge(file.size(), refusal);
   const size_t compared = std::min(file.size(), kMagic.size());
   if (!std::equal(kMagic.begin(), kMagic.begin() + compared, file.begin())) {
     if (compared >= 4 && std::equal(kMagic.begin(), kMagic.begin() + 4, file.begin())) {
@@ -55,6 +52,12 @@ void checkCounts(const ReplayFileHeader& header, const ReplayRefusal& refusal) {
 }
 
 }  // namespace
+
+void refuseTooLarge(uint64_t bytes, const ReplayRefusal& refusal) {
+  if (bytes <= kMaxFileBytes) return;
+  refusal.refuse(fmt::format("the file is larger than {} MiB, which no replay is; name a file that --record wrote",
+                             kMaxFileBytes >> 20));
+}
 
 ReplayFileHeader readReplayHeader(Bytes file, const ReplayRefusal& refusal, SimulationVersions versions) {
   checkKind(file, refusal);

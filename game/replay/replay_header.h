@@ -16,6 +16,9 @@ struct ReplayFileHeader {
   bool growing() const { return ticks == 0 && chunks == 0; }
 };
 
+// Throws ReplayError for a file of more bytes than any replay has.
+void refuseTooLarge(uint64_t bytes, const ReplayRefusal& refusal);
+
 // Tells empty, foreign and shortened files apart, since each has another remedy, and checks every number. Throws
 // ReplayError.
 ReplayFileHeader readReplayHeader(std::span<const uint8_t> file, const ReplayRefusal& refusal,

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "game/replay/replay_header.h"
+
 namespace gw {
 
 Replay readReplay(const std::filesystem::path& path, SimulationVersions versions, Completeness completeness) {
@@ -24,8 +26,8 @@ Replay readReplay(const std::filesystem::path& path, SimulationVersions versions
     throw ReplayError(fmt::format("{}: the file cannot be read ({}); give yourself the right to read it", name,
                                   std::strerror(errno)));
   }
-  // One byte past the limit is enough to see that a file is too large.
-  std::vector<uint8_t> bytes(std::min<uint64_t>(uint64_t(size), replay_format::kMaxFileBytes + 1));
+  refuseTooLarge(uint64_t(size), ReplayRefusal(name));
+  std::vector<uint8_t> bytes(static_cast<size_t>(size));
   file.seekg(0);
   file.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
   if (size_t(file.gcount()) != bytes.size()) {

@@ -181,6 +181,7 @@ struct Report {
     for (uint32_t side = 0; side < kPans; ++side) {
       if (s.pops[side] == 0) continue;
       const uint32_t id = ~uint32_t(s.pops[side]);
+      if (v.cellOf[id] >= v.capacity) continue;  // damaged, which the hash tells
       const Cell cell = v.moved[v.cellOf[id]];
       const uint64_t value = s.pops[side] >> 32;
       const bool bare = (v.state[id].w & kFlagFlushed) != 0;

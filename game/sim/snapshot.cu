@@ -93,6 +93,7 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
     for (const Cell& cell : cells) snapshot.arrangement.push_back(cell.id);
   }
   for (uint32_t id = 0; id < next.capacity; ++id) {
+    if (cellOf[id] >= cells.size()) continue;  // damaged; its snapshot is another one
     const Cell& cell = cells[cellOf[id]];
     if (cell.type == kTypeNone) continue;
     snapshot.entities.push_back({id,           cell.type,       cell.x,          cell.y,          motion[id].z,

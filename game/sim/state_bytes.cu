@@ -1,6 +1,8 @@
 // Every byte of device memory, and what comes of damage to it. Whoever adds a buffer or a member says so here, or it
 // does not compile; tests/game/sim/damage_test.cpp turns over bits of all of them and looks whether it is true.
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include "game/sim/state_columns.h"
 
@@ -64,6 +66,8 @@ class Listing {
   template <class T, size_t kCount>
   void add(const char* name, const Buffer<T>& buffer, const Part (&parts)[kCount], bool byCell = false,
            uint32_t perElement = 1) {
+    if (bytesOf(parts) != sizeof(T) * perElement)
+      throw std::logic_error(std::string(name) + ": its parts do not fill it");
     uint8_t* d_bytes = reinterpret_cast<uint8_t*>(buffer.data());
     const uint32_t stride = uint32_t(sizeof(T)) * perElement;
     for (const Part& part : parts) {

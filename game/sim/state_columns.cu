@@ -35,7 +35,10 @@ class Reader {
     const bool moved = stage_ >= kIntegrate, thought = stage_ >= kThink;
     const auto cells = sideOf(state_.cells, moved ? v_.moved : v_.cells).download();
     const auto cellOf = state_.cellOf.download();
-    const auto cell = [&](uint32_t id) { return cells[cellOf[id]]; };
+    // Damage is what is looked for here: an id may name a cell that there is none of.
+    const auto cell = [&](uint32_t id) {
+      return cellOf[id] < cells.size() ? cells[cellOf[id]] : Cell{kInfinity, kInfinity, id, kTypeNone};
+    };
     alive_.resize(v_.capacity);
     for (uint32_t id = 0; id < v_.capacity; ++id) alive_[id] = cell(id).type != kTypeNone;
     whole(

@@ -22,7 +22,7 @@ def parts(target):
     return sorted(target.parent.glob(target.name + ".part-*"))
 
 
-def kill_while_recording(program, target, how, seconds):
+def kill_while_recording(program, target, how, seconds, meanwhile=lambda: None):
     """Starts a game that would take long and kills it once it has recorded for a while."""
     command = [program, *map(str, [*SMALL, "--ticks", 100000, "--record", target])]
     with subprocess.Popen(command, env=without_display(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as game:
@@ -31,6 +31,7 @@ def kill_while_recording(program, target, how, seconds):
             time.sleep(0.05)
             if any(part.stat().st_size > 3000 + 1500 * seconds for part in parts(target)):
                 break
+        meanwhile()
         game.send_signal(how)
         game.wait(60)
         return game.returncode
@@ -70,6 +71,11 @@ def main():
     ticks = found["b"]["ticks"]
     failures.check(found["a"]["ticks"] == ticks and ticks % 60 == 0 and ticks >= 120, f"every second of {ticks} ticks is there")
     failures.check(not found["a"]["whole"] and found["b"]["whole"] and not found["hash"] and not found["input"], "as diff says")
+
+    live = folder / "live.gwr"
+    kill_while_recording(program, live, signal.SIGKILL, 1, lambda: refused(
+        "trim over what is being recorded", FILE, "trim", parts(live)[0], "--out", parts(live)[0], "--device", "cpu",
+        says=["still being recorded", "another name"]))
 
     # Recorded again to the same name.
     code, _, stderr = run(program, *SMALL, "--ticks", 130, "--record", target)

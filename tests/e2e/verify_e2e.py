@@ -90,6 +90,18 @@ def main():
     _, stderr = child.communicate(timeout=60)
     failures.check(child.returncode == FAILED and "interrupted after" in stderr, f"Ctrl-C is said as such: {stderr.strip()!r}")
 
+    # One that hangs, and does not end by itself either.
+    hangs = script(folder / "hangs", "trap '' TERM; echo '{\"gpuwarsProbe\":1,\"name\":\"x\"}'; while true; do sleep 1; done\n")
+    child = subprocess.Popen([str(part) for part in (program, "verify", good, "--device", "cpu", "--reference", hangs)],
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(1)
+    child.send_signal(signal.SIGINT)
+    _, stderr = child.communicate(timeout=60)
+    failures.check(child.returncode == FAILED and "interrupted while" in stderr, f"one that hangs is left by Ctrl-C: {stderr.strip()!r}")
+    left = subprocess.run(["pgrep", "-f", str(hangs)], stdout=subprocess.PIPE, text=True, check=False).stdout
+    failures.check(left == "", f"and is not left behind: {left!r}")
+    verify("more jobs than files", FINE, good, "-j", 8)
+
     # References that are none.
     refused("no such program", FAILED, good, "--reference", folder / "none", says=["cannot be started", "give"])
     refused("a program that ends", FAILED, good, "--reference", script(folder / "ends", "exit 0\n"), says=["ended before"])
@@ -111,8 +123,9 @@ def main():
     refused("options of no reference", USAGE, good, "--reference-options", "--threads 1", says=["name one"])
     refused("heavy beside another side", USAGE, good, "--heavy", "--against", "cpu", says=["leave out one"])
     refused("JUnit over JSON", USAGE, good, "--junit", out, "--json", out, says=["give each its own"])
-    _, stderr = verify("JUnit where nobody may write", FILE, good, "--junit", "/nonexistent/x.xml")
-    failures.check("cannot be written" in stderr, "says so before it begins")
+    for option in ("--junit", "--json"):
+        stdout, stderr = verify(f"{option} where nobody may write", FILE, good, option, "/nonexistent/x")
+        failures.check("cannot be written" in stderr and "compared" not in stdout, "says so before it begins")
     failures.finish()
 
 

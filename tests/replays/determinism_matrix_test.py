@@ -65,7 +65,7 @@ class Matrix(unittest.TestCase):
     def fill(self, program, variant=Variant("way", "none"), most_ticks=None):
         self.said.clear()
         fill(variant, program, self.replays, Results(self.path), 2, self.recorded, most_ticks, self.said.append)
-        return script.matrix_table(self.replays, [variant], Results(self.path), lambda _variant: program)
+        return script.matrix_table(self.replays, [variant], Results(self.path), lambda _variant: digest_of(program))
 
     def test_equal(self):
         table, wrong = self.fill(GPUWARS)
@@ -98,7 +98,7 @@ class Matrix(unittest.TestCase):
         self.fill(GPUWARS)
         self.assertEqual(self.said, [])
         table, _wrong = script.matrix_table(self.replays, [Variant("way", "none")], Results(self.path),
-                                            lambda _variant: Path("nowhere"))
+                                            lambda _variant: None)
         self.assertIn("1 of 1 cells were not run", table)
         with self.file.open("ab") as replay:
             replay.write(b"x")
@@ -118,6 +118,19 @@ class Matrix(unittest.TestCase):
         program.with_name("decisive_digest").unlink()
         self.assertNotEqual(digest_of(program), whole)
         self.assertIsNone(digest_of(Path("nowhere")))
+
+    def test_a_build_of_other_sources_is_not_todays(self):
+        variant, program = Variant("way", "none"), self.program("gpuwars", "#!/bin/sh\n")
+        before, script.program_of = script.program_of, lambda _variant: program
+        try:
+            program.with_name("decisive_digest").write_text("of yesterday")
+            self.assertIsNone(script.current_digest(variant))
+            program.with_name("decisive_digest").write_text(decisive_digest(variant))
+            self.assertEqual(script.current_digest(variant), decisive_digest(variant))
+            program.unlink()
+            self.assertIsNone(script.current_digest(variant))
+        finally:
+            script.program_of = before
 
     def test_quick_leaves_long_replays_out(self):
         table, wrong = self.fill(GPUWARS, most_ticks=self.ticks - 1)

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <stdexcept>
 
 #include "game/desync/desync_text.h"
 #include "game/desync/local_probe.h"
@@ -68,6 +70,9 @@ constexpr Place kPlaces[] = {
     {"directionMass", "mass", 0, "mass", 0},
     {"push", "all", 0, "push_x", 2},
     {"push", "all", 32, "push_y", 2},
+    {"cells", "place", 0, "x", 3},
+    {"cells", "place", 32, "y", 3},
+    {"state", "state", 0, "state", 3},
     {"state", "timer", 0, "timer", 2},
     {"state", "cooldown", 0, "cooldown", 2},
     {"state", "flags", 0, "flags", 2},
@@ -78,6 +83,17 @@ constexpr Place kPlaces[] = {
 // Shots and bits may vanish until collide is done, and with them what was damaged.
 bool stays(uint64_t type, uint32_t stage) {
   return stage < 2 ? type < kMaxEnemyTypes : type != kTypeNone;
+}
+
+// The processor's memory is read where it lies.
+uint32_t cellOf(const std::vector<BytesOfBuffer>& bytes, uint32_t id) {
+  for (const BytesOfBuffer& part : bytes) {
+    if (part.buffer != "cellOf") continue;
+    uint32_t cell;
+    std::memcpy(&cell, part.d_bytes + size_t(id) * part.stride, sizeof cell);
+    return cell;
+  }
+  throw std::logic_error("there is no cellOf");
 }
 
 TEST(desync_finder, names_tick_stage_entity_and_field_of_a_hundred_flipped_bits) {
@@ -96,9 +112,10 @@ TEST(desync_finder, names_tick_stage_entity_and_field_of_a_hundred_flipped_bits)
                                 const std::vector<uint64_t>& types = *now.entities[0].values;
                                 for (id = chance % types.size(); !stays(types[id], stageNumber);)
                                   id = (id + 1) % types.size();
-                                for (const BytesOfBuffer& part : inspection.bytes()) {
+                                const std::vector<BytesOfBuffer> bytes = inspection.bytes();
+                                for (const BytesOfBuffer& part : bytes) {
                                   if (part.buffer != place.buffer || part.part != place.part) continue;
-                                  inspection.flip(part, id, place.firstBit + bit);
+                                  inspection.flip(part, part.byCell ? cellOf(bytes, id) : id, place.firstBit + bit);
                                 }
                               }});
     const Lockstep lockstep = compare(own, intact(reference));
@@ -147,6 +164,43 @@ TEST(desync_finder, says_that_only_the_hashes_differ) {
   EXPECT_EQ(lockstep.desync->tick, 20u);
   EXPECT_EQ(lockstep.desync->stage, "hash");
   EXPECT_EQ(lockstep.desync->field, "");
+}
+
+// A side that breaks off when it is asked where: that the two part is known all the same.
+TEST(desync_finder, a_desync_that_cannot_be_placed_is_one) {
+  struct Breaking : Probe {
+    Probe& of;
+    explicit Breaking(Probe& of) : of(of) {}
+    std::string name() const override { return of.name(); }
+    void restart() override { of.restart(); }
+    std::vector<uint64_t> play(uint32_t ticks) override { return of.play(ticks); }
+    void keep() override { of.keep(); }
+    void goBack() override { of.goBack(); }
+    std::vector<StageHashes> playByStages() override { throw std::runtime_error("the reference ended."); }
+    std::vector<uint64_t> blocks(const std::string&, const std::string&) override { return {}; }
+    std::vector<uint64_t> values(const std::string&, const std::string&, uint32_t) override { return {}; }
+    FieldValue global(const std::string&, const std::string&) override { return {}; }
+    std::vector<FieldValue> entity(const std::string&, uint32_t) override { return {}; }
+    std::vector<NearEntity> around(const std::string&, uint32_t, uint32_t) override { return {}; }
+  };
+  LocalProbe own = damaged({77, "logic", [](Inspection& inspection) {
+                              for (const BytesOfBuffer& part : inspection.bytes()) {
+                                if (part.buffer == "master") inspection.flip(part, 0, 69);
+                              }
+                            }});
+  std::unique_ptr<Probe> reference;
+  Breaking breaking(intact(reference));
+  const Lockstep lockstep = compare(own, breaking);
+  ASSERT_TRUE(lockstep.desync);
+  EXPECT_EQ(lockstep.desync->tick, 77u);
+  EXPECT_NE(lockstep.desync->hashes[0], lockstep.desync->hashes[1]);
+  EXPECT_EQ(lockstep.desync->unplaced, "the reference ended.");
+  EXPECT_EQ(lockstep.desync->stage, "");
+  const Rules rules = config().rules;
+  const DesyncNames names{"here", "there", rules, 2};
+  EXPECT_NE(desyncText(*lockstep.desync, names).find("Where could not be found out: the reference ended."),
+            std::string::npos);
+  EXPECT_EQ(desyncJson(*lockstep.desync, names)["unplaced"], "the reference ended.");
 }
 
 // What happens once only, as a race does, cannot be placed, and is not said to be.
@@ -261,9 +315,9 @@ TEST(desync_text, says_where_in_words_and_as_json) {
   desync.around[0] = desync.around[1] = {{9, 3, 0.5f}};
   const DesyncNames names{"here", "there", rules, 2};
   const std::string text = desyncText(desync, names);
-  for (const char* part :
-       {"tick          312", "stage         think", "7 (triangle)", "1 (3f800000) here",
-        "1.25 (3fa00000) in the reference", "the reference agrees", "differing     force_x, energy", "9 vertex at 0.500 m"}) {
+  for (const char* part : {"tick          312", "stage         think", "7 (triangle)", "1 (3f800000) here",
+                           "1.25 (3fa00000) in the reference", "the reference agrees", "differing     force_x, energy",
+                           "9 vertex at 0.500 m"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   }
   const nlohmann::ordered_json json = desyncJson(desync, names);
