@@ -44,8 +44,8 @@ class RemoteProbe final : public Probe {
   void refuseToWait() const;  // throws when nobody waits any longer
   ProbeError answeredElse() const;
 
-  std::function<bool()> giveUp_;
   std::string program_, name_;
+  std::function<bool()> giveUp_;
   std::unique_ptr<ChildProcess> child_;
 };
 
