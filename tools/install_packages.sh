@@ -18,8 +18,9 @@ check_packages=(
   xvfb xauth xdotool imagemagick
   clang libclang-rt-dev binutils python3 python3-jsonschema git util-linux
 )
-# Shows reports as their readers do. Ubuntu has it only as a snap; what needs it is skipped and counted without it.
-optional_packages=(chromium)
+# Programs of the same names that show reports and encode films as players' do. Ubuntu has Chromium only as a snap; what
+# needs them is skipped and counted without them.
+optional_packages=(chromium ffmpeg)
 
 case "${1:-}" in
   play) wanted=("${play_packages[@]}") ;;
@@ -42,8 +43,10 @@ for package in "${wanted[@]}"; do
   [[ "$installed" == *" ii$package "* ]] || missing+=("$package")
 done
 optional=()
-if [[ "$1" == check ]] && ! command -v chromium >/dev/null; then
-  optional=("${optional_packages[@]}")
+if [[ "$1" == check ]]; then
+  for package in "${optional_packages[@]}"; do
+    command -v "$package" >/dev/null || optional+=("$package")
+  done
 fi
 if [[ ${#missing[@]} -eq 0 && ${#optional[@]} -eq 0 ]]; then
   exit 0

@@ -122,6 +122,13 @@ def main():
     failures.check(len({event["pid"] for event in events}) == 5 and any(event["name"] == "think" for event in events),
                    f"the trace has {len(events)} events of all contenders")
 
+    picture, drawer = folder / "trace.svg", Path(__file__).resolve().parents[2] / "tools/draw_trace.py"
+    subprocess.run([sys.executable, drawer, trace, picture, "--length", "20"], check=True)
+    svg = picture.read_text()
+    failures.check("think: " in svg and svg.count(">stages<") == 5, "a stretch of it can be drawn")
+    code = subprocess.run([sys.executable, drawer, good, picture], stderr=subprocess.DEVNULL, check=False).returncode
+    failures.check(code == 1 and picture.read_text() == svg, "a file that is no trace is refused")
+
     # A scene that is recorded first.
     session.profile("swarm and its end", FINE, "--scene", "swarm", "--enemies", 64, "--ticks", TICKS, "--no-draw", "--runs", 1,
                     "--out", folder / "swarm")
