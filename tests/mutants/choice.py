@@ -8,6 +8,9 @@ from mutations import mutants_of
 LEFT_OUT = {
     "game/sim/autopilot.cu": "plays only while a run is recorded; verify plays the inputs of the file",
     "game/sim/candidates.cu": "counts pair tests for the profiler; nothing of the game follows",
+    "game/sim/broad_phase.h": "which structure is asked, whose bins change no game, and the row that colours show",
+    "game/sim/census.cu": "counts who lives for the overlay; nothing of the game follows",
+    "game/sim/row_colour.h": "only drawn",
     "game/sim/draw_list.cu": "only drawn: culls, orders and packs what a frame shows",
     "game/sim/particle_list.cu": "only drawn",
     "game/sim/particles.cu": "only drawn: cosmetic particles draw chance of their own and feed nothing back",
