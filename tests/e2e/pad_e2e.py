@@ -55,7 +55,7 @@ def main():
         pad("button dpleft 1")  # held it repeats
         time.sleep(3.5)
         pad("button dpleft 0")
-        for _ in range(4):
+        for _ in range(5):
             press("dpdown")
         press("dpright")
         screen.picture("settings.png")
