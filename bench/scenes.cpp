@@ -4,6 +4,7 @@
 #include <cstring>
 #include <random>
 
+#include "bench/fingerprint.h"
 #include "game/sim/master.h"
 #include "game/sim/state_tables.h"
 #include "game/tables/tables.h"
@@ -108,11 +109,13 @@ Snapshot mixedScene(Simulation& sim, uint32_t ticks) {
   return sim.snapshot();
 }
 
-void playOn(Simulation& sim, uint32_t ticks) {
+uint64_t playOn(Simulation& sim, uint32_t ticks) {
+  Fingerprint hashes;
   for (uint32_t t = 0; t < ticks; ++t) {
     sim.tick({});
-    sim.report();
+    hashes.add(sim.report().hash);
   }
+  return hashes.value();
 }
 
 }  // namespace gw::bench

@@ -45,7 +45,7 @@ Snapshot swarmScene(Simulation& sim, const SimulationConfig& config);
 // which all of them have attacked.
 Snapshot mixedScene(Simulation& sim, uint32_t ticks);
 
-// Ticks one by one, as a window would ask for them.
-void playOn(Simulation& sim, uint32_t ticks);
+// Ticks one by one, as a window would ask for them. The fingerprint of the state's hash after each of them.
+uint64_t playOn(Simulation& sim, uint32_t ticks);
 
 }  // namespace gw::bench

@@ -25,7 +25,9 @@ class Contender {
   virtual void probe(uint32_t /*every*/) {}
   virtual void synchronise() = 0;              // waits until all that was asked for is done
   virtual std::vector<uint32_t> counts() = 0;  // by id, of the last gather(); each counts itself
-  virtual uint64_t candidates() = 0;           // pair tests of one gather
+  // By id: the hashes of whom each finds, added up, by a search of its own. Empty where a way only counts.
+  virtual std::vector<uint64_t> identities() { return {}; }
+  virtual uint64_t candidates() = 0;  // pair tests of one gather
   // How many entities stand before their predecessor on a line of the structure; none where there are no lines.
   virtual std::optional<uint32_t> misaligned() { return {}; }
   virtual size_t bytes() const = 0;  // of memory beyond the array of entities

@@ -5,6 +5,7 @@
 #include "bench/neighbours/contender.h"
 #include "bench/neighbours/structures.h"
 #include "gpu/scan_reduce.h"
+#include "gpu/state_hash.h"
 
 namespace gw::GW_DEVICE {
 namespace {
@@ -26,6 +27,24 @@ struct CountNeighbours {
     uint32_t count = 0;
     search.around(i, placeOf(self), radius, [&](const CellT&, uint32_t, PlaceOf<CellT>) { ++count; });
     counts[self.id] = count;
+  }
+};
+
+// One item: one cell; the hashes of the ids that it finds, added up, so that no order of visits matters.
+template <class CellT, class Search>
+struct IdentifyNeighbours {
+  uint64_t* identities;  // by id
+  const CellT* cells;
+  Search search;
+  float radius;
+
+  GW_BODY void operator()(uint32_t i) const {
+    const CellT self = cells[i];
+    if (!isLiving(self.x)) return;
+    uint64_t sum = 0;
+    search.around(i, placeOf(self), radius,
+                  [&](const CellT& other, uint32_t, PlaceOf<CellT>) { sum += hashWord(self.id, 0, other.id); });
+    identities[self.id] = sum;
   }
 };
 
@@ -83,6 +102,15 @@ class Searcher : public bench::Contender<CellT> {
   }
   void synchronise() override { queue_.synchronise(); }
   std::vector<uint32_t> counts() override { return counts_.download(); }
+  std::vector<uint64_t> identities() override {
+    withSearch([&](auto search) {
+      forEach(queue_, Count{capacity_},
+              IdentifyNeighbours<CellT, decltype(search)>{tests_.data(), cells_.data(), search, radius_});
+    });
+    std::vector<uint64_t> byId = tests_.download();
+    byId.resize(entities_);
+    return byId;
+  }
   void probe(uint32_t every) override { countTests(every); }
   uint64_t candidates() override {
     countTests(1);

@@ -15,6 +15,7 @@
 #include <numeric>
 
 #include "bench/device_option.h"
+#include "bench/fingerprint.h"
 #include "bench/machine.h"
 #include "bench/neighbours/contender.h"
 #include "bench/neighbours/crowd.h"
@@ -38,6 +39,7 @@ struct Wanted {
   std::string device = "cpu";
   double seconds = 180.0;  // for the frames of one crowd
   std::string out, csv;
+  bool hash = false;
 };
 
 template <class CellT>
@@ -48,6 +50,7 @@ struct Entrant {
   std::vector<double> maintain_ms{}, gather_ms{}, total_ms{};
   std::vector<double> misaligned{};  // shares of the entities, in the frames that were looked at
   uint64_t found = 0, missed = 0;
+  Fingerprint fingerprint{};  // of the frames that were looked at
 };
 
 double mean(const std::vector<double>& values) {  // NaN of none
@@ -103,6 +106,7 @@ void playFrame(Entrant<CellT>& e, const std::vector<CellT>& byId) {
 template <class CellT>
 void compare(Entrant<CellT>& e, const std::vector<uint32_t>& truth) {
   const std::vector<uint32_t> counts = e.contender->counts();
+  e.fingerprint.add(counts);
   for (size_t id = 0; id < truth.size(); ++id) {
     e.found += counts[id] - 1;
     e.missed += truth[id] - counts[id];
@@ -155,12 +159,13 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
         if (isPlayed(e.way, frame)) playFrame(e, crowd.byId);
       }
     });
-    last = frame + 1 == frames || (frame + 1 >= 3 && passed_ms > wanted.seconds * 1000.0);
+    last = frame + 1 == frames || (frame + 1 >= 3 && !wanted.hash && passed_ms > wanted.seconds * 1000.0);
     if (frame % 10 != 0 && !last) continue;
     const std::vector<uint32_t> truth = entrants[0].contender->counts();
     for (Entrant<CellT>& e : entrants) {
       if (!isPlayed(e.way, frame)) continue;
       compare(e, truth);
+      if (wanted.hash) e.fingerprint.add(e.contender->identities());
       if (const auto misaligned = e.contender->misaligned()) e.misaligned.push_back(*misaligned / double(n));
     }
   }
@@ -184,6 +189,7 @@ void run(const Wanted& wanted, uint32_t dimensions, uint32_t n, Distribution dis
                     .bytes = e.contender->bytes(),
                     .misalignedMean = mean(e.misaligned),
                     .misalignedLast = e.misaligned.empty() ? NAN : e.misaligned.back(),
+                    .hash = e.fingerprint.value(),
                     .note = {}});
     std::fprintf(stderr, "%uD %u %s %g %s: %.3f ms, %.2f of the grid's\n", dimensions, n,
                  kDistributions[int(distribution)], double(motion), e.way.name, rows.back().total,
@@ -233,6 +239,13 @@ void measure(const Wanted& wanted) {
     }
   }
   writeMarkdown(std::cout, rows, heading);
+  if (!wanted.hash) return;
+  for (const Row& row : rows) {
+    char what[160];
+    std::snprintf(what, sizeof what, "%uD %u %s %g %s", row.dimensions, row.entities, row.distribution.c_str(),
+                  double(row.motion), row.way.c_str());
+    std::cout << hashLine(what, row.hash);
+  }
 }
 
 void walkAll(const Wanted& wanted) {
@@ -271,6 +284,8 @@ int main(int argc, char** argv) {
   app.add_option("--threads", wanted.threads)->check(CLI::Range(0, 256));
   app.add_option("--crowd-steps", wanted.crowdSteps, "instead: walk a crowd so many steps by every way, compare places")
       ->check(CLI::Range(0, 1000000));
+  app.add_flag("--hash", wanted.hash,
+               "also print a hash of whom each way found in every tenth frame; all frames are played then");
   app.add_option("--out", wanted.out);
   app.add_option("--csv", wanted.csv);
   CLI11_PARSE(app, argc, argv);

@@ -24,6 +24,7 @@ struct Row {
   // Shares of the entities that stood before their predecessor on a line after upkeep: in the frames that were looked
   // at on average, and in the last one. NaN where there are no lines.
   double misalignedMean, misalignedLast;
+  uint64_t hash;     // of what it found, in the frames that were looked at
   std::string note;  // to be read below the row
 };
 
