@@ -48,10 +48,7 @@ std::string mainHelp() {
 class VerbParser {
  public:
   VerbParser(const VerbName& verb, Options& options)
-      : verb_(verb),
-        options_(options),
-        app_(verb.summary, fmt::format("gpuwars {}", verb.name)),
-        values_(app_, std::string(verb.name)) {
+      : verb_(verb), options_(options), values_(app_, std::string(verb.name)) {
     app_.set_version_flag("--version", versionText());
     app_.allow_extras();  // so that checkExtras() can say where they belong
     options_.verb = verb.verb;
@@ -60,14 +57,7 @@ class VerbParser {
 
   // Throws UsageError or CLI::CallForHelp and the like.
   void parse(std::vector<std::string> arguments) {
-    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
-    try {
-      app_.parse(arguments);
-    } catch (const CLI::Success&) {
-      throw;
-    } catch (const CLI::ParseError& error) {
-      values_.explain(error);
-    }
+    values_.parse(std::move(arguments));
     checkExtras();
     values_.read();
     if (options_.thesis) takeThesis(options_);
@@ -83,7 +73,7 @@ class VerbParser {
     checkContradictions(options_);
   }
 
-  std::string help() const { return app_.help(); }
+  std::string help() const { return values_.help(verb_.summary); }
 
   bool knows(const std::string& option) const { return app_.get_option_no_throw(option) != nullptr; }
 
@@ -98,7 +88,7 @@ class VerbParser {
   }
 
   void checkExtras() const {
-    std::vector<std::string> extras = app_.remaining();
+    std::vector<std::string> extras = values_.remaining();
     std::erase(extras, "--");
     if (extras.empty()) return;
     const std::string& extra = extras.front();

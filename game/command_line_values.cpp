@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -24,6 +25,28 @@ std::string longName(std::string_view names) {
   return std::string(names.substr(names.find("--")));
 }
 
+constexpr const char* kFilesGroup = "Files";
+
+// In front of every value, so that CLI11 finds nothing in it to interpret: it takes "[a,b]" for a list and drops "++".
+constexpr char kValue = '\x01';
+
+// Where the value begins in an argument; npos: it is an option without one.
+size_t valueIn(const std::string& argument) {
+  if (!argument.starts_with("-")) return 0;
+  const size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
+  return equals == std::string::npos || equals + 1 == argument.size() ? std::string::npos : equals + 1;
+}
+
+std::string marked(std::string argument) {
+  const size_t at = valueIn(argument);
+  return at == std::string::npos ? argument : argument.insert(at, 1, kValue);
+}
+
+std::string unmarked(std::string argument) {
+  const size_t at = valueIn(argument);
+  return at < argument.size() && argument[at] == kValue ? argument.erase(at, 1) : argument;
+}
+
 template <class T>
 std::optional<T> parsed(const std::string& text) {
   T value{};
@@ -34,18 +57,18 @@ std::optional<T> parsed(const std::string& text) {
 
 }  // namespace
 
-CLI::Option* CommandLineValues::declare(const char* names, const char* help, const char* placeholder, const char* group,
-                                        std::function<void(const std::string&)> take) {
-  CLI::Option* option = app_.add_option_function<std::string>(
-      names, [](const std::string&) {}, help);
-  option->type_name(placeholder)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group(group);
-  entries_.push_back({longName(names), option, std::move(take), 1});
-  return option;
+void CommandLineValues::declare(const char* names, const char* help, const char* placeholder, const char* group,
+                                std::function<void(const std::string&)> take) {
+  CLI::Option* option = app_.add_option_function<std::string>(names, [](const std::string&) {});
+  option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  entries_.push_back(
+      {longName(names), option, std::move(take), 1, fmt::format("{} {}", names, placeholder), help, group});
 }
 
 void CommandLineValues::flag(const char* name, const char* help, std::function<void()> take, const char* group) {
-  CLI::Option* option = app_.add_flag(std::string(name))->description(help)->disable_flag_override()->group(group);
-  entries_.push_back({name, option, [take = std::move(take)](const std::string&) { take(); }, SIZE_MAX});
+  CLI::Option* option = app_.add_flag(std::string(name))->disable_flag_override();
+  entries_.push_back(
+      {name, option, [take = std::move(take)](const std::string&) { take(); }, SIZE_MAX, name, help, group});
 }
 
 void CommandLineValues::choice(const char* name, std::span<const Choice> choices, const char* help,
@@ -78,7 +101,7 @@ void CommandLineValues::integer(const char* name, const char* help, uint64_t lea
 
 void CommandLineValues::number(const char* name, const char* help, double least, double most,
                                std::function<void(double)> take) {
-  declare(name, help, "X", "Options", [=, name = std::string(name), take = std::move(take)](const std::string& text) {
+  declare(name, help, "X", kUsualGroup, [=, name = std::string(name), take = std::move(take)](const std::string& text) {
     const auto value = parsed<double>(text);
     if (!value || !(*value >= least && *value <= most)) {
       throw UsageError(fmt::format("'{} {}' does not work; give a number from {} to {}", name, text, least, most));
@@ -103,7 +126,7 @@ void CommandLineValues::path(const char* name, const char* help, const char* pla
 
 void CommandLineValues::text(const char* name, const char* help, const char* placeholder,
                              std::function<void(std::string)> take) {
-  declare(name, help, placeholder, "Options", std::move(take));
+  declare(name, help, placeholder, kUsualGroup, std::move(take));
 }
 
 void CommandLineValues::pathOrStdout(const char* name, const char* help, const char* placeholder,
@@ -111,25 +134,74 @@ void CommandLineValues::pathOrStdout(const char* name, const char* help, const c
   path(name, help, placeholder, std::move(take));
   Entry& entry = entries_.back();
   entry.option->expected(0, 1);
+  entry.shown = fmt::format("{} [{}]", name, placeholder);
   entry.take = [takePath = std::move(entry.take)](const std::string& text) { takePath(text.empty() ? "-" : text); };
 }
 
 void CommandLineValues::files(const char* placeholder, const char* help, size_t most,
                               std::function<void(std::string)> take) {
-  CLI::Option* option = app_.add_option_function<std::vector<std::string>>(
-      placeholder, [](const std::vector<std::string>&) {}, help);
-  option->type_name("")->expected(0, CLI::detail::expected_max_vector_size);
+  CLI::Option* option =
+      app_.add_option_function<std::vector<std::string>>(placeholder, [](const std::vector<std::string>&) {});
+  option->expected(0, -1);  // any number
   entries_.push_back({placeholder, option,
                       [take = std::move(take)](const std::string& text) {
                         if (text.empty()) throw UsageError("a file name is empty; give the file's name");
                         take(text);
                       },
-                      most});
+                      most, placeholder, help, kFilesGroup});
+}
+
+std::string CommandLineValues::help(std::string_view summary) const {
+  constexpr size_t kColumn = 30;  // where descriptions begin
+  std::string files, text;
+  std::vector<std::string> groups{kFilesGroup, kUsualGroup};
+  for (const Entry& entry : entries_) {
+    if (std::find(groups.begin(), groups.end(), entry.group) == groups.end()) groups.push_back(entry.group);
+    if (entry.group != kFilesGroup) continue;
+    for (size_t i = 0; i < std::min<size_t>(entry.most, 2); ++i) files += " " + entry.shown;
+    if (entry.most > 2) files += "...";
+  }
+  if (files.empty()) groups.erase(groups.begin());
+  const auto add = [&](const std::string& shown, const std::string& what) {
+    const bool fits = shown.size() + 2 < kColumn;
+    text +=
+        "  " + shown + (fits ? "" : "\n") + std::string(fits ? kColumn - 2 - shown.size() : kColumn, ' ') + what + "\n";
+  };
+  for (const std::string& group : groups) {
+    text += "\n" + group + ":\n";
+    if (group == kUsualGroup) {
+      add("-h,--help", "print this help and exit");
+      add("--version", "print the version and exit");
+    }
+    for (const Entry& entry : entries_) {
+      if (entry.group == group) add(entry.shown, entry.help);
+    }
+  }
+  return fmt::format("{}\nUsage: gpuwars {} [OPTIONS]{}\n{}", summary, verb_, files, text);
+}
+
+void CommandLineValues::parse(std::vector<std::string> arguments) {
+  std::transform(arguments.begin(), arguments.end(), arguments.begin(), marked);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  try {
+    app_.parse(arguments);
+  } catch (const CLI::Success&) {
+    throw;
+  } catch (const CLI::ParseError& error) {
+    explain(error);
+  }
+}
+
+std::vector<std::string> CommandLineValues::remaining() const {
+  std::vector<std::string> left = app_.remaining();
+  std::transform(left.begin(), left.end(), left.begin(), unmarked);
+  return left;
 }
 
 void CommandLineValues::read() const {
   for (const Entry& entry : entries_) {
-    const std::vector<std::string>& texts = entry.option->results();
+    std::vector<std::string> texts = entry.option->results();
+    std::transform(texts.begin(), texts.end(), texts.begin(), unmarked);
     if (texts.size() > entry.most) {
       if (entry.option->get_positional()) {
         throw UsageError(
@@ -142,7 +214,8 @@ void CommandLineValues::read() const {
 }
 
 void CommandLineValues::explain(const CLI::ParseError& error) const {
-  const std::string what = error.what();
+  std::string what = error.what();
+  std::erase(what, kValue);
   const std::string name = what.substr(0, what.find_first_of(": "));
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     if (what.find("override") != std::string::npos) {

@@ -1,5 +1,5 @@
-// Reads the values of options: CLI11 finds them and writes the help, this turns their text into numbers
-// and choices, and says what is wrong in one sentence with a remedy.
+// Reads the values of options: CLI11 finds them, this writes the help, turns their text into numbers and choices, and
+// says what is wrong in one sentence with a remedy. So neither help nor sentences depend on CLI11's version.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -27,18 +27,21 @@ struct Choice {
 
 class CommandLineValues {
  public:
+  // The heading under which options stand in the help, unless they name another.
+  static constexpr const char* kUsualGroup = "Options";
+
   // Both must outlive this.
   CommandLineValues(CLI::App& app, std::string verb) : app_(app), verb_(std::move(verb)) {}
 
   // Each declares an option; `take` gets its value when read() finds one.
-  void flag(const char* name, const char* help, std::function<void()> take, const char* group = "Options");
+  void flag(const char* name, const char* help, std::function<void()> take, const char* group = kUsualGroup);
   void choice(const char* name, std::span<const Choice> choices, const char* help, const char* standard,
-              std::function<void(uint32_t)> take, const char* group = "Options");
+              std::function<void(uint32_t)> take, const char* group = kUsualGroup);
   void integer(const char* name, const char* help, uint64_t least, uint64_t most, std::function<void(uint64_t)> take,
-               const char* group = "Options");
+               const char* group = kUsualGroup);
   void number(const char* name, const char* help, double least, double most, std::function<void(double)> take);
   void path(const char* name, const char* help, const char* placeholder, std::function<void(std::string)> take,
-            const char* group = "Options");
+            const char* group = kUsualGroup);
   // Anything at all, taken as it is.
   void text(const char* name, const char* help, const char* placeholder, std::function<void(std::string)> take);
   // A path that may be left out: "-" then.
@@ -46,21 +49,30 @@ class CommandLineValues {
   // What stands without a dash: 1 to `most` files.
   void files(const char* placeholder, const char* help, size_t most, std::function<void(std::string)> take);
 
+  // What `--help` prints.
+  std::string help(std::string_view summary) const;
+
+  // Lets the app parse. Values are as they were given: CLI11 itself takes "[a,b]" for two, and "[a]" for "a".
+  void parse(std::vector<std::string> arguments);
+  // What no option took, in order.
+  std::vector<std::string> remaining() const;
+
   // After parsing: hands every value over, in the order of declaration. Throws UsageError.
   void read() const;
-
-  // What CLI11 could not parse, in our words.
-  [[noreturn]] void explain(const CLI::ParseError& error) const;
 
  private:
   struct Entry {
     std::string name;  // as messages show it
     CLI::Option* option;
     std::function<void(const std::string&)> take;
-    size_t most;  // values
+    size_t most;                     // values
+    std::string shown, help, group;  // as help() has them: names and placeholder; what it is; under which heading
   };
-  CLI::Option* declare(const char* names, const char* help, const char* placeholder, const char* group,
-                       std::function<void(const std::string&)> take);
+  void declare(const char* names, const char* help, const char* placeholder, const char* group,
+               std::function<void(const std::string&)> take);
+
+  // What CLI11 could not parse, in our words.
+  [[noreturn]] void explain(const CLI::ParseError& error) const;
 
   CLI::App& app_;
   std::string verb_;

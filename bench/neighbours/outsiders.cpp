@@ -101,6 +101,7 @@ class KdTree final : public Outsider<CellT> {
       nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, KdTree>, KdTree, kAxes<CellT>, uint32_t>;
   struct Count {
     using DistanceType = float;
+    using IndexType = uint32_t;
     float radius2;
     uint32_t found = 0;
     uint64_t tests = 0;
@@ -111,6 +112,7 @@ class KdTree final : public Outsider<CellT> {
     float worstDist() const { return std::nextafter(radius2, INFINITY); }
     bool full() const { return true; }
     size_t size() const { return found; }
+    void sort() {}  // asked for since nanoflann 1.6: a count has no order
   };
 
   void build() override { tree_ = std::make_unique<Tree>(kAxes<CellT>, *this); }
@@ -118,8 +120,8 @@ class KdTree final : public Outsider<CellT> {
     float at[3];
     for (int k = 0; k < kAxes<CellT>; ++k) at[k] = axis(this->cells_[id], k);
     Count count{this->radius_ * this->radius_};
-    tree_->findNeighbors(count, at, nanoflann::SearchParams());
-    tests += count.found;  // nanoflann does not say how many it tests: at least these
+    tree_->findNeighbors(count, at, {});  // the usual parameters, whose type has another name since nanoflann 1.5
+    tests += count.found;                 // nanoflann does not say how many it tests: at least these
     return count.found;
   }
   std::unique_ptr<Tree> tree_;

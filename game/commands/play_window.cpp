@@ -222,7 +222,7 @@ class PlaySession {
     run_ = factory_.make(mode_, options_.seed ? *options_.seed : randomSeed(), options_.autopilot, true);
     attract_ = false;
     practice_.reset();
-    if (mode_ == Mode::practice) practice_.emplace(factory_.rules().enemyTypeCount);
+    if (mode_ == Mode::practice) practice_ = std::make_unique<PlayedPractice>(factory_.rules().enemyTypeCount);
     loop_.input().forgetPresses();
     loop_.startAfresh(*run_);
   }
@@ -267,7 +267,7 @@ class PlaySession {
   Mode mode_;  // chosen on the title, and of the run
   SessionBest best_;
   Best bestBefore_;
-  std::optional<PlayedPractice> practice_;  // while the run is one
+  std::unique_ptr<PlayedPractice> practice_;  // while the run is one
 };
 
 }  // namespace

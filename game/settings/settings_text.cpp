@@ -246,11 +246,10 @@ ReadSettings readSettings(const std::string& text, const std::string& name) {
     unreadable(line, fmt::format("the line is longer than {} characters", kMaxLine));
   } else {
     try {
-      const toml::table document = toml::parse(std::string_view(text));
+      const toml::table document = parseToml(text);
       Reader(document, name, result).read();
-    } catch (const toml::parse_error& error) {
-      unreadable(std::max<uint32_t>(1, error.source().begin.line),
-                 fmt::format("this is not TOML ({})", oneLine(std::string(error.description()))));
+    } catch (const TomlError& error) {
+      unreadable(error.line, fmt::format("this is not TOML ({})", oneLine(error.what())));
     }
   }
   return result;

@@ -1,6 +1,7 @@
 #include "game/tables/toml_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>  // join() since fmt 11
 
 #include <algorithm>
 #include <cmath>
@@ -80,13 +81,12 @@ TomlTable TomlTable::parse(const RuleText& text) {
   }
   checkLines(text);
   try {
-    auto document = std::make_shared<const toml::table>(toml::parse(std::string_view(text.text)));
+    auto document = std::make_shared<const toml::table>(parseToml(text.text));
     const toml::table* node = document.get();
     return TomlTable(std::make_unique<Impl>(Impl{std::move(document), text.name, node, "", {}}));
-  } catch (const toml::parse_error& error) {
-    throw TableError(fmt::format("{}, line {}: this is not TOML ({}); correct the line", text.name,
-                                 std::max<uint32_t>(1, error.source().begin.line),
-                                 oneLine(std::string(error.description()))));
+  } catch (const TomlError& error) {
+    throw TableError(fmt::format("{}, line {}: this is not TOML ({}); correct the line", text.name, error.line,
+                                 oneLine(error.what())));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <sstream>
 
 namespace gw::test {
@@ -213,6 +214,60 @@ TEST(CommandLine, HelpAndVersionGoToStdout) {
   EXPECT_NE(parse("play --help").output.find("--thesis"), std::string::npos);
   EXPECT_NE(parse("play --help").output.find("--gather exact|adaptive|fixed"), std::string::npos);
   EXPECT_EQ(parse("--version").output.rfind("gpuwars ", 0), 0u);
+}
+
+TEST(CommandLine, HelpListsEachOptionOnceUnderItsHeading) {
+  EXPECT_EQ(parse("devices --help").output,
+            "Say which devices there are and which one 'auto' takes.\n"
+            "Usage: gpuwars devices [OPTIONS]\n"
+            "\n"
+            "Options:\n"
+            "  -h,--help                   print this help and exit\n"
+            "  --version                   print the version and exit\n"
+            "  --json [OUT]                write the list as JSON to OUT, or to stdout\n");
+  const std::string diff = parse("diff --help").output;
+  EXPECT_NE(diff.find("Usage: gpuwars diff [OPTIONS] FILE FILE\n\nFiles:\n  FILE                        the two"),
+            std::string::npos)
+      << diff;
+  for (const std::string verb : {"play", "replay", "verify", "render", "profile", "trim", "diff", "devices", "probe"}) {
+    std::istringstream lines(parse(verb + " --help").output);
+    std::map<std::string, int> seen;
+    for (std::string line; std::getline(lines, line);) {
+      const size_t start = line.find_first_not_of(' ');
+      if (line.ends_with(":")) ++seen[line];
+      if (start == 2 && line[2] == '-') ++seen[line.substr(2, line.find(' ', 2) - 2)];
+    }
+    EXPECT_EQ(seen["Options:"], 1) << verb;
+    EXPECT_EQ(seen["--version"], 1) << verb;
+    for (const auto& [what, times] : seen) EXPECT_EQ(times, 1) << verb << ": " << what;
+  }
+}
+
+// CLI11 itself makes lists of what stands in brackets, and gives some words a meaning of their own.
+TEST(CommandLine, FileNamesAreWhatTheyAre) {
+  using Files = std::vector<std::filesystem::path>;
+  for (const std::string name : {"[run].gwr", "[run]", "[a,b]", "[]", "[[a]]", "{a}", "++", "a,b", "@a", "%%", "%%[a]",
+                                 "'a'", "\"a\"", "a=[b]", "\x01", "\x01[a]", "a b", "b\"(a)\""}) {
+    for (const std::string verb : {"replay", "verify", "probe"}) {
+      EXPECT_EQ(parseCommandLine({verb, name}).options.files, Files{name}) << verb << ' ' << name;
+    }
+    const ParsedCommandLine trim = parseCommandLine({"trim", name, "--out", name});
+    EXPECT_EQ(trim.options.files, Files{name}) << trim.error;
+    EXPECT_EQ(trim.options.outPath, name);
+    const ParsedCommandLine render = parseCommandLine({"render", "--out=" + name, "--", name});
+    EXPECT_EQ(render.options.files, Files{name}) << render.error;
+    EXPECT_EQ(render.options.outPath, name);
+    EXPECT_EQ(parseCommandLine({"diff", name, "b"}).options.files, (Files{name, "b"})) << name;
+    EXPECT_EQ(parseCommandLine({"verify", "a", name, "b"}).options.files, (Files{"a", name, "b"})) << name;
+    EXPECT_EQ(parseCommandLine({"--record", name}).options.recordPath, name);
+    EXPECT_EQ(parseCommandLine({"devices", "--json", name}).options.jsonPath, name);
+    EXPECT_EQ(parseCommandLine({"profile", "--out", name, "--replay", name}).options.replayPath, name);
+    EXPECT_EQ(
+        parseCommandLine({"verify", "a", "--reference", name, "--reference-options", name}).options.referenceOptions,
+        name);
+  }
+  EXPECT_EQ(parseCommandLine({"verify", "--", "--out=[a]"}).options.files, Files{"--out=[a]"});
+  EXPECT_EQ(parseCommandLine({"play", "[a]"}).error, "'[a]' is not understood; 'gpuwars play' takes options only");
 }
 
 struct Refusal {

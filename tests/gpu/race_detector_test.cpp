@@ -26,7 +26,7 @@ struct RacySlots {
 struct RacyPhase {
   static constexpr uint32_t kLanes = 128;
   struct Shared {
-    uint32_t word[kLanes];
+    uint32_t word[kLanes] = {};
   };
   uint32_t* out;
   template <class Team>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "tests/game/profile/noise.h"
 
@@ -46,11 +47,11 @@ Report sessionOf(uint64_t seed, double factor = 1, double noise = 0.01, int runs
   return report;
 }
 
-const Compared& rowOf(const Comparison& comparison, const std::string& metric, const std::string& contender = "ngrid") {
+const Compared& rowOf(const Comparison& comparison, std::string_view metric, std::string_view contender = "ngrid") {
   const auto found = std::find_if(comparison.compared.begin(), comparison.compared.end(), [&](const Compared& one) {
     return one.metric == metric && one.contender == contender;
   });
-  if (found == comparison.compared.end()) throw std::runtime_error("nothing compared of " + metric);
+  if (found == comparison.compared.end()) throw std::runtime_error("nothing compared of " + std::string(metric));
   return *found;
 }
 
