@@ -7,14 +7,14 @@ set -euo pipefail
 # PNG of the profile's pictures.
 play_packages=(
   g++ cmake ninja-build ccache
-  libsdl2-dev libglew-dev libglm-dev libopenal-dev libegl-dev libgl-dev
+  libsdl2-dev libglew-dev libopenal-dev libegl-dev libgl-dev
   libegl1 libegl-mesa0 libgl1-mesa-dri
   libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libxxhash-dev zlib1g-dev libfmt-dev libstb-dev libimgui-dev
   librsvg2-bin fonts-dejavu-core
 )
 # The test frameworks, a virtual display with keys and screenshots, the second compiler, the tools of the gates.
 check_packages=(
-  libgtest-dev libbenchmark-dev librapidcheck-dev libnanoflann-dev libboost-context-dev
+  libgtest-dev librapidcheck-dev libnanoflann-dev libboost-context-dev
   xvfb xauth xdotool imagemagick
   clang libclang-rt-dev binutils python3 python3-jsonschema git util-linux
 )

@@ -1,11 +1,5 @@
 # Sound: what starts, what it sounds like through OpenAL's loopback device, and what damaged files cost. Needs no
 # sound card.
-find_path(GW_RAPIDCHECK_INCLUDE_DIR rapidcheck/gtest.h)
-find_library(GW_RAPIDCHECK_LIBRARY rapidcheck)
-if(NOT GW_RAPIDCHECK_INCLUDE_DIR OR NOT GW_RAPIDCHECK_LIBRARY)
-  message(FATAL_ERROR "RapidCheck was not found: install librapidcheck-dev")
-endif()
-
 add_executable(audio_test
   audio_facade_test.cpp
   audio_files_test.cpp

@@ -1,12 +1,4 @@
 # Tables, replays and the command line: host code, needs nothing.
-find_path(GW_RAPIDCHECK_INCLUDE_DIR rapidcheck/gtest.h)
-find_library(GW_RAPIDCHECK_LIBRARY rapidcheck)
-if(NOT GW_RAPIDCHECK_INCLUDE_DIR OR NOT GW_RAPIDCHECK_LIBRARY)
-  message(FATAL_ERROR "RapidCheck was not found: install librapidcheck-dev")
-endif()
-
-find_package(fmt REQUIRED)
-
 set(here ${CMAKE_CURRENT_LIST_DIR})
 add_executable(game_host_test
   ${here}/command_line_test.cpp

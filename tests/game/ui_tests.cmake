@@ -4,8 +4,6 @@ target_link_libraries(game_pacing_test PRIVATE gw_pacing GTest::gtest_main)
 gtest_discover_tests(game_pacing_test)
 
 if(GW_WINDOW)
-  find_path(GW_RAPIDCHECK_INCLUDE_DIR rapidcheck/gtest.h)
-  find_library(GW_RAPIDCHECK_LIBRARY rapidcheck)
   add_executable(game_input_test gamepad_test.cpp input_test.cpp pad_virtual_test.cpp player_input_test.cpp)
   target_include_directories(game_input_test SYSTEM PRIVATE ${GW_RAPIDCHECK_INCLUDE_DIR})
   target_link_libraries(game_input_test PRIVATE gw_input ${GW_RAPIDCHECK_LIBRARY} GTest::gtest_main)
