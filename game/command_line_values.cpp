@@ -158,7 +158,8 @@ std::string CommandLineValues::help(std::string_view summary) const {
   for (const Entry& entry : entries_) {
     if (std::find(groups.begin(), groups.end(), entry.group) == groups.end()) groups.push_back(entry.group);
     if (entry.group != kFilesGroup) continue;
-    for (size_t i = 0; i < std::min<size_t>(entry.most, 2); ++i) files += " " + entry.shown;
+    files = " " + entry.shown;
+    if (entry.most == 2) files += files;
     if (entry.most > 2) files += "...";
   }
   if (files.empty()) groups.erase(groups.begin());

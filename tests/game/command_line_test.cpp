@@ -229,6 +229,7 @@ TEST(CommandLine, HelpListsEachOptionOnceUnderItsHeading) {
   EXPECT_NE(diff.find("Usage: gpuwars diff [OPTIONS] FILE FILE\n\nFiles:\n  FILE                        the two"),
             std::string::npos)
       << diff;
+  EXPECT_NE(parse("verify --help").output.find("Usage: gpuwars verify [OPTIONS] FILE...\n"), std::string::npos);
   for (const std::string verb : {"play", "replay", "verify", "render", "profile", "trim", "diff", "devices", "probe"}) {
     std::istringstream lines(parse(verb + " --help").output);
     std::map<std::string, int> seen;
