@@ -1,5 +1,5 @@
 # Enables CUDA when nvcc is found and sets GW_HAVE_CUDA. Never required: without nvcc the build has the
-# cpu device only, and says so. Users of the installed library run it too.
+# cpu device only, and says so. Users of the installed library run it too, if they ask for CUDA.
 set(GW_HAVE_CUDA OFF)
 if(GW_CUDA)
   if(NOT DEFINED CMAKE_CUDA_COMPILER AND NOT DEFINED ENV{CUDACXX})
@@ -12,11 +12,10 @@ if(GW_CUDA)
   check_language(CUDA)
   if(CMAKE_CUDA_COMPILER)
     # Must stand before enable_language: SASS and PTX for each architecture named.
-    set(CMAKE_CUDA_ARCHITECTURES 90 CACHE STRING "CUDA architectures (releases: 75;80;86;89;90;120)")
+    if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+      set(CMAKE_CUDA_ARCHITECTURES 90 CACHE STRING "CUDA architectures (releases: 75;80;86;89;90;120)")
+    endif()
     enable_language(CUDA)
-    # CMake 3.25 does not know CUDA20; newer ones overwrite these with the same values.
-    set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
-    set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
     find_package(CUDAToolkit REQUIRED)
     set(GW_HAVE_CUDA ON)
     message(STATUS "Devices: cuda (nvcc ${CMAKE_CUDA_COMPILER_VERSION}) and cpu")

@@ -1,7 +1,8 @@
 # The flags that keep the bits equal on every device, in one interface target that everything links, users of
 # the installed library included. No -ffast-math, no -Ofast, no contraction: see docs/determinism.md.
 add_library(gw_gpu_flags INTERFACE)
-target_include_directories(gw_gpu_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include>)
+target_include_directories(gw_gpu_flags INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>) # <gpuwars/...>, see gpu/CMakeLists.txt
 target_link_libraries(gw_gpu_flags INTERFACE Threads::Threads)
 target_compile_features(gw_gpu_flags INTERFACE cxx_std_20)
 
@@ -22,6 +23,7 @@ target_compile_options(gw_gpu_flags INTERFACE
 option(GW_WARNINGS_AS_ERRORS "Stop at warnings (.ci/run does)" OFF)
 add_library(gw_options INTERFACE)
 target_link_libraries(gw_options INTERFACE gw_gpu_flags)
+target_include_directories(gw_options INTERFACE ${PROJECT_SOURCE_DIR})
 set(gw_own_flags "")
 if(GW_TESTS)
   list(APPEND gw_own_flags -Wall -Wextra)
@@ -48,6 +50,10 @@ if(gw_own_flags)
   list(JOIN gw_host_flags "," gw_own_csv)
   target_compile_options(gw_options INTERFACE
     "$<$<COMPILE_LANGUAGE:CXX>:${gw_own_flags}>" "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${gw_own_csv}>")
+endif()
+if(NOT PROJECT_IS_TOP_LEVEL)
+  # The flags of the project around this one may be strict, and these sources are not its own.
+  target_compile_options(gw_options INTERFACE -w)
 endif()
 if(GW_SANITIZE)
   # Sanitised code is instrumented before gcc looks for unset variables, which it then sees everywhere:

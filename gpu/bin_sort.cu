@@ -1,5 +1,5 @@
-#include "gpu/bin_sort.h"
-#include "gpu/bits.h"
+#include <gpuwars/bin_sort.h>
+#include <gpuwars/bits.h>
 
 namespace gw::GW_DEVICE {
 

@@ -9,10 +9,10 @@
 // four launches. On cuda two and those of the sort (sort_keys.cu), and one for begin().
 #pragma once
 
-#include "gpu/bits.h"
-#include "gpu/buffer.h"
+#include <gpuwars/bits.h>
+#include <gpuwars/buffer.h>
 #if GW_ON_CUDA
-#include "gpu/sort_keys.h"
+#include <gpuwars/sort_keys.h>
 #endif
 
 namespace gw::GW_DEVICE {

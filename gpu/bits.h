@@ -1,11 +1,11 @@
 // Reading a float's bits and back; and the few float helpers whose bits must be equal everywhere.
 #pragma once
 
+#include <gpuwars/device.h>
+
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-
-#include "gpu/device.h"
 
 namespace gw::GW_DEVICE {
 

@@ -1,4 +1,4 @@
-// Lines of cells, put in order by a block that holds them in registers. For the cuda device only.
+// Lines of cells, put in order by a block that holds them in registers. For the cuda device only. Not for users.
 //
 // What is sorted are keys of 64 bits, and the cells follow once: 8 bytes a cell are exchanged instead of 16, by integer
 // comparisons alone. A key says what to go by, and which cell it is:
@@ -12,9 +12,10 @@
 //   +----------+------------------------+--------+
 #pragma once
 
-#include "gpu/block_sort.h"
-#include "gpu/line_order.h"
-#include "gpu/ngrid_lines.h"
+#include <gpuwars/block_sort.h>
+
+#include "line_order.h"
+#include "ngrid_lines.h"
 
 #if GW_ON_CUDA
 

@@ -17,9 +17,9 @@
 // needed for it.
 #pragma once
 
-#include <cstdint>
+#include <gpuwars/exec.h>
 
-#include "gpu/exec.h"
+#include <cstdint>
 
 #if GW_ON_CUDA
 

@@ -2,10 +2,10 @@
 // result that depends on the order of visits shows at once.
 #pragma once
 
-#include <type_traits>
+#include <gpuwars/neighbour.h>
+#include <gpuwars/plain_types.h>
 
-#include "gpu/neighbour.h"
-#include "gpu/plain_types.h"
+#include <type_traits>
 
 namespace gw::GW_DEVICE {
 

@@ -1,12 +1,12 @@
 // Memory that belongs to a device: owning, move-only, zeroed at birth, never resized.
 #pragma once
 
+#include <gpuwars/exec.h>
+
 #include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include "gpu/exec.h"
 
 namespace gw::GW_DEVICE {
 

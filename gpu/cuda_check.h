@@ -1,11 +1,11 @@
 // Every call of the CUDA runtime passes through check(): what fails is thrown, as a sentence with a remedy.
+// Not for users: include <gpuwars/exec.h>, which has it on the cuda device.
 #pragma once
 
 #include <cuda_runtime_api.h>
+#include <gpuwars/device_error.h>
 
 #include <string>
-
-#include "gpu/device_error.h"
 
 namespace gw {
 

@@ -1,4 +1,4 @@
-#include "gpu/cuda_state.h"
+#include <gpuwars/cuda_state.h>
 
 #include <algorithm>
 #include <charconv>

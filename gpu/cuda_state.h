@@ -1,5 +1,5 @@
 // What the answers of a CUDA driver mean: whether this program can compute with it, and if not, what to do about it.
-// Judged apart from asking (gpu/device_list.h), so that every case is tested where there is no driver.
+// Judged apart from asking (<gpuwars/device_list.h>), so that every case is tested where there is no driver.
 #pragma once
 
 #include <string>

@@ -5,8 +5,12 @@
 // linker can never merge two compilations of it; namespace gw itself holds plain data only.
 #pragma once
 
+#if __cplusplus < 202002L
+#error "GpuWars needs C++20: compile with -std=c++20, or link the CMake target gpuwars::gpu."
+#endif
+
 #ifndef GW_DEVICE
-#error "Kernel code needs GW_DEVICE (cpu or cuda): add the file through gw_add_kernels() in CMake."
+#error "Kernel code needs GW_DEVICE (cpu or cuda): add the file by gw_add_kernels() in CMake, or define GW_DEVICE=cpu."
 #endif
 
 #ifdef __FAST_MATH__

@@ -1,4 +1,4 @@
-#include "gpu/device_list.h"
+#include <gpuwars/device_list.h>
 
 #include <thread>
 #include <utility>

@@ -1,12 +1,12 @@
 // Which devices there are, and why no CUDA device computes when none does.
 #pragma once
 
+#include <gpuwars/cuda_state.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "gpu/cuda_state.h"
 
 namespace gw {
 

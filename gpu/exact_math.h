@@ -7,10 +7,10 @@
 //   exponential    |x| <= 87            relative error below 8.5e-8; clamped outside
 #pragma once
 
-#include <cmath>
+#include <gpuwars/bits.h>
+#include <gpuwars/plain_types.h>
 
-#include "gpu/bits.h"
-#include "gpu/plain_types.h"
+#include <cmath>
 
 namespace gw::GW_DEVICE {
 

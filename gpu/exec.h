@@ -22,9 +22,9 @@
 // code is the same for all lanes and never returns. Launches on one queue run one after the other.
 #pragma once
 
-#include <cstdint>
+#include <gpuwars/device.h>
 
-#include "gpu/device.h"
+#include <cstdint>
 
 namespace gw::GW_DEVICE {
 
@@ -38,7 +38,7 @@ struct Count {
 }  // namespace gw::GW_DEVICE
 
 #if GW_ON_CUDA
-#include "gpu/exec_cuda.h"
+#include <gpuwars/detail/exec_cuda.h>
 #else
-#include "gpu/exec_cpu.h"
+#include <gpuwars/detail/exec_cpu.h>
 #endif

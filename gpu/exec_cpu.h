@@ -1,14 +1,14 @@
-// The execution layer on the cpu device. Include gpu/exec.h, not this.
+// The execution layer on the cpu device. Not for users: include <gpuwars/exec.h>.
 #pragma once
+
+#include <gpuwars/exec_options.h>
+#include <gpuwars/guarded_memory.h>
+#include <gpuwars/worker_pool.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <new>
-
-#include "gpu/exec_options.h"
-#include "gpu/guarded_memory.h"
-#include "gpu/worker_pool.h"
 
 namespace gw::GW_DEVICE {
 
@@ -60,13 +60,13 @@ void forEach(Queue& queue, Count count, const Kernel& kernel) {
   queue.pool.run(
       job.chunks,
       [](const void* context, uint32_t c) {
-        const Job& job = *static_cast<const Job*>(context);
-        const uint32_t begin = visit(job.order, c, job.chunks) * kChunk, size = std::min(kChunk, job.n - begin);
-        const Kernel kernel = job.kernel;  // a copy on this stack: the compiler can keep its fields in registers
-        if (job.order == VisitOrder::forward) {
-          for (uint32_t i = begin; i < begin + size; ++i) kernel(i);
+        const Job& mine = *static_cast<const Job*>(context);
+        const uint32_t begin = visit(mine.order, c, mine.chunks) * kChunk, size = std::min(kChunk, mine.n - begin);
+        const Kernel copy = mine.kernel;  // on this stack: the compiler can keep its fields in registers
+        if (mine.order == VisitOrder::forward) {
+          for (uint32_t i = begin; i < begin + size; ++i) copy(i);
         } else {
-          for (uint32_t i = 0; i < size; ++i) kernel(begin + visit(job.order, i, size));
+          for (uint32_t i = 0; i < size; ++i) copy(begin + visit(mine.order, i, size));
         }
       },
       &job);
@@ -99,10 +99,10 @@ void forEachTeam(Queue& queue, uint32_t teams, const Kernel& kernel) {
   queue.pool.run(
       teams,
       [](const void* context, uint32_t t) {
-        const Job& job = *static_cast<const Job*>(context);
-        const Kernel kernel = job.kernel;
+        const Job& mine = *static_cast<const Job*>(context);
+        const Kernel copy = mine.kernel;
         typename Kernel::Shared shared;
-        kernel(Team<Kernel::kLanes>{visit(job.order, t, job.teams), job.order}, shared);
+        copy(Team<Kernel::kLanes>{visit(mine.order, t, mine.teams), mine.order}, shared);
       },
       &job);
 }

@@ -1,16 +1,15 @@
-// The execution layer on the cuda device. Include gpu/exec.h, not this.
+// The execution layer on the cuda device. Not for users: include <gpuwars/exec.h>.
 #pragma once
 
 #include <cuda_runtime.h>
 #include <cxxabi.h>
+#include <gpuwars/detail/cuda_check.h>
+#include <gpuwars/exec_options.h>
+#include <gpuwars/kernel_count.h>
 
 #include <cstdlib>
 #include <string>
 #include <typeinfo>
-
-#include "gpu/cuda_check.h"
-#include "gpu/exec_options.h"
-#include "gpu/kernel_count.h"
 
 namespace gw::GW_DEVICE {
 

@@ -3,8 +3,8 @@
 // -term(x)), so that the two halves of a pair force cancel to the last bit. 2^33 terms fit.
 #pragma once
 
-#include "gpu/device.h"
-#include "gpu/plain_types.h"
+#include <gpuwars/device.h>
+#include <gpuwars/plain_types.h>
 
 namespace gw::GW_DEVICE {
 

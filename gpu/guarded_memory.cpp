@@ -1,5 +1,4 @@
-#include "gpu/guarded_memory.h"
-
+#include <gpuwars/guarded_memory.h>
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
+#include <gpuwars/hashed_grid.h>
+
 #include <cmath>
 #include <stdexcept>
-
-#include "gpu/hashed_grid.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -7,8 +7,8 @@
 // compared with; the grid of uniform_grid.h is better in every way but for space without bounds.
 #pragma once
 
-#include "gpu/bin_sort.h"
-#include "gpu/neighbour.h"
+#include <gpuwars/bin_sort.h>
+#include <gpuwars/neighbour.h>
 
 namespace gw::GW_DEVICE {
 

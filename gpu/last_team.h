@@ -8,7 +8,7 @@
 // launch, which costs more than what a single team has left to do.
 #pragma once
 
-#include "gpu/exec.h"
+#include <gpuwars/exec.h>
 
 #if !GW_ON_CUDA
 #include <atomic>

@@ -1,10 +1,10 @@
 // The total orders that lines are sorted by: along their own axis, then by the other axes (thesis, rules 1 to 9), then
-// by id. Both zeros are one place; the dead, at +infinity, come last.
+// by id. Both zeros are one place; the dead, at +infinity, come last. Not for users of the NGrid.
 #pragma once
 
-#include "gpu/bits.h"
-#include "gpu/neighbour.h"
-#include "gpu/plain_types.h"
+#include <gpuwars/bits.h>
+#include <gpuwars/neighbour.h>
+#include <gpuwars/plain_types.h>
 
 namespace gw::GW_DEVICE {
 

@@ -1,13 +1,13 @@
 // Sorting one line of cells where it stands, by one lane. For the cpu device only; block_lines.h is its counterpart.
 // The orders of line_order.h are total, so the result is unique and each device does what suits it: here insertion,
-// which is linear when little has moved, and digits when much has.
+// which is linear when little has moved, and digits when much has. Not for users of the NGrid.
 #pragma once
+
+#include <gpuwars/bits.h>
+#include <gpuwars/ngrid_dimensions.h>
 
 #include <algorithm>
 #include <cstdint>
-
-#include "gpu/bits.h"
-#include "gpu/ngrid_dimensions.h"
 
 namespace gw::GW_DEVICE {
 

@@ -2,8 +2,8 @@
 // the same set. Prune only by the same rounded differences: x_j - x < -r, never x_j < x - r.
 #pragma once
 
-#include "gpu/bits.h"
-#include "gpu/plain_types.h"
+#include <gpuwars/bits.h>
+#include <gpuwars/plain_types.h>
 
 namespace gw::GW_DEVICE {
 
@@ -43,8 +43,8 @@ GW_FN bool isNeighbour(Float2 away, float radius) {
 }
 GW_FN bool isNeighbour(Float3 away, float radius) {
   // Without branches: compilers then test several cells at once, which they do of two dimensions as it is.
-  return (away.x * away.x + away.y * away.y + away.z * away.z <= radius * radius) & (magnitude(away.x) <= radius) &
-         (magnitude(away.y) <= radius) & (magnitude(away.z) <= radius);
+  const bool inX = magnitude(away.x) <= radius, inY = magnitude(away.y) <= radius, inZ = magnitude(away.z) <= radius;
+  return (away.x * away.x + away.y * away.y + away.z * away.z <= radius * radius) & inX & inY & inZ;
 }
 
 // The same cell with another id, dead: it sits at +infinity.

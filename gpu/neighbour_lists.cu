@@ -1,7 +1,7 @@
+#include <gpuwars/neighbour_lists.h>
+
 #include <stdexcept>
 #include <string>
-
-#include "gpu/neighbour_lists.h"
 
 namespace gw::GW_DEVICE {
 namespace {

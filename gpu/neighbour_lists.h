@@ -9,8 +9,8 @@
 // up, one fills: O(searches + sorting of the lists).
 #pragma once
 
-#include "gpu/neighbour.h"
-#include "gpu/scan_reduce.h"
+#include <gpuwars/neighbour.h>
+#include <gpuwars/scan_reduce.h>
 
 namespace gw::GW_DEVICE {
 

@@ -1,13 +1,14 @@
 // What an NGrid holds, and what it can say about itself.
+#include <gpuwars/ngrid.h>
+#include <gpuwars/scan_reduce.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "gpu/line_order.h"
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_reach.h"
-#include "gpu/ngrid_rows.h"
-#include "gpu/scan_reduce.h"
+#include "line_order.h"
+#include "ngrid_reach.h"
+#include "ngrid_rows.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -23,13 +23,13 @@
 // that are into dead cells and counts them.
 #pragma once
 
-#include <vector>
+#include <gpuwars/bin_sort.h>
+#include <gpuwars/bits.h>
+#include <gpuwars/buffer.h>
+#include <gpuwars/ngrid_dimensions.h>
+#include <gpuwars/plain_types.h>
 
-#include "gpu/bin_sort.h"
-#include "gpu/bits.h"
-#include "gpu/buffer.h"
-#include "gpu/ngrid_dimensions.h"
-#include "gpu/plain_types.h"
+#include <vector>
 
 namespace gw::GW_DEVICE {
 

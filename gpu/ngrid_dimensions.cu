@@ -1,12 +1,12 @@
+#include <gpuwars/bits.h>
+#include <gpuwars/neighbour.h>
+#include <gpuwars/ngrid.h>
+#include <gpuwars/ngrid_dimensions.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "gpu/bits.h"
-#include "gpu/neighbour.h"
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_dimensions.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -2,8 +2,8 @@
 // that do not fill a product are padded by dead cells at +infinity, which sort behind all others.
 #pragma once
 
-#include "gpu/exec.h"
-#include "gpu/plain_types.h"
+#include <gpuwars/exec.h>
+#include <gpuwars/plain_types.h>
 
 namespace gw::GW_DEVICE {
 

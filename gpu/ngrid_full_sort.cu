@@ -3,10 +3,11 @@
 //
 // Stable sorts from the least axis to the greatest, the first from the order of ids, make the order total: by y, x and
 // id; in 3D by z, y, x and id, and within a slab by y, x and id.
-#include "gpu/line_order.h"
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_rows.h"
-#include "gpu/sort_keys.h"
+#include <gpuwars/ngrid.h>
+#include <gpuwars/sort_keys.h>
+
+#include "line_order.h"
+#include "ngrid_rows.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -2,11 +2,12 @@
 // what there is to know of the rows, each and all together. Not for users of the NGrid.
 #pragma once
 
-#include "gpu/last_team.h"
-#include "gpu/ngrid_lines.h"
-#include "gpu/ngrid_reach.h"
-#include "gpu/ngrid_row_order.h"
-#include "gpu/ngrid_rows.h"
+#include <gpuwars/last_team.h>
+
+#include "ngrid_lines.h"
+#include "ngrid_reach.h"
+#include "ngrid_row_order.h"
+#include "ngrid_rows.h"
 
 namespace gw::GW_DEVICE {
 

@@ -5,8 +5,8 @@
 //   poles     of all      begin side by side, go on by a slab    and one row, or a cache line's width of the others.
 #pragma once
 
-#include "gpu/bits.h"
-#include "gpu/ngrid_dimensions.h"
+#include <gpuwars/bits.h>
+#include <gpuwars/ngrid_dimensions.h>
 
 namespace gw::GW_DEVICE {
 

@@ -1,16 +1,17 @@
 // Upkeep by sorting lines: every pole by z, every column by y, every row by x; and what is then known of the rows.
+#include <gpuwars/ngrid.h>
+
 #include <stdexcept>
 
-#include "gpu/line_order.h"
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_keep_rows.h"
-#include "gpu/ngrid_lines.h"
-#include "gpu/ngrid_rows.h"
+#include "line_order.h"
+#include "ngrid_keep_rows.h"
+#include "ngrid_lines.h"
+#include "ngrid_rows.h"
 
 #if GW_ON_CUDA
-#include "gpu/block_lines.h"
+#include "block_lines.h"
 #else
-#include "gpu/line_sort.h"
+#include "line_sort.h"
 #endif
 
 namespace gw::GW_DEVICE {

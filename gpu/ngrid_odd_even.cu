@@ -5,12 +5,13 @@
 //   odd    0 [1 2] [3 4] [5 6] 7          What comes to a pair of the even pass depends on four cells before both:
 //   even    [0 1] [2 3] [4 5] [6 7]       its own and the one on either side. So both are made in one launch, in which
 //                                         a team has whole lines.
+#include <gpuwars/ngrid.h>
+
 #include <type_traits>
 
-#include "gpu/line_order.h"
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_lines.h"
-#include "gpu/ngrid_rows.h"
+#include "line_order.h"
+#include "ngrid_lines.h"
+#include "ngrid_rows.h"
 
 namespace gw::GW_DEVICE {
 namespace {

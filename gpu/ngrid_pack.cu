@@ -6,12 +6,13 @@
 //     ┄┄┄┄┄┄┄┄┄┄┄ row 1                   columns     0 1 | 2 3 4|    | 5 6
 //     ───────────                         first column 0    2     5    5     7
 //     ┄┄┄┄┄┄┄┄┄┄┄ row 0
+#include <gpuwars/neighbour.h>
+#include <gpuwars/ngrid.h>
+
 #include <stdexcept>
 
-#include "gpu/neighbour.h"
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_keep_rows.h"
-#include "gpu/ngrid_rows.h"
+#include "ngrid_keep_rows.h"
+#include "ngrid_rows.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -6,8 +6,9 @@
 //   lowest y     0    1    1    5        reach.low    0 1 1 5   of this and later rows: ascends
 #pragma once
 
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_rows.h"
+#include <gpuwars/ngrid.h>
+
+#include "ngrid_rows.h"
 
 namespace gw::GW_DEVICE {
 

@@ -7,16 +7,17 @@
 // Both are made by all lanes of a team together, and then called in this order: put(), join(), index().
 #pragma once
 
-#include "gpu/bits.h"
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_lines.h"
-#include "gpu/ngrid_rows.h"
+#include <gpuwars/bits.h>
+#include <gpuwars/ngrid.h>
+
+#include "ngrid_lines.h"
+#include "ngrid_rows.h"
 
 #if GW_ON_CUDA
-#include "gpu/block_lines.h"
+#include "block_lines.h"
 #else
-#include "gpu/line_order.h"
-#include "gpu/line_sort.h"
+#include "line_order.h"
+#include "line_sort.h"
 #endif
 
 namespace gw::GW_DEVICE {

@@ -1,8 +1,8 @@
 // What upkeep finds out about rows: shared by the kernels that leave rows in order. Not for users of the NGrid.
 #pragma once
 
-#include "gpu/neighbour.h"
-#include "gpu/ngrid.h"
+#include <gpuwars/neighbour.h>
+#include <gpuwars/ngrid.h>
 
 namespace gw::GW_DEVICE {
 

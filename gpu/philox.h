@@ -3,8 +3,8 @@
 // others were made or by whom. Key: the seed. Counter: (tick, entity id, purpose, n).
 #pragma once
 
-#include "gpu/device.h"
-#include "gpu/plain_types.h"
+#include <gpuwars/device.h>
+#include <gpuwars/plain_types.h>
 
 namespace gw::GW_DEVICE {
 

@@ -8,10 +8,10 @@
 //   device           [   ]               side touches the other's.
 #pragma once
 
+#include <gpuwars/exec.h>
+
 #include <new>
 #include <type_traits>
-
-#include "gpu/exec.h"
 
 namespace gw::GW_DEVICE {
 

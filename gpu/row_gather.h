@@ -11,8 +11,8 @@
 // pruned would have failed the test. Cost per query: the rows met, in each O(log columns) at worst, and the spans.
 #pragma once
 
-#include "gpu/neighbour.h"
-#include "gpu/ngrid.h"
+#include <gpuwars/neighbour.h>
+#include <gpuwars/ngrid.h>
 
 namespace gw::GW_DEVICE {
 

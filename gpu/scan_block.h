@@ -1,7 +1,7 @@
-// The part of a scan that one team does. Include gpu/scan_reduce.h, not this.
+// The part of a scan that one team does. Not for users: include <gpuwars/scan_reduce.h>.
 #pragma once
 
-#include "gpu/exec.h"
+#include <gpuwars/exec.h>
 
 namespace gw::GW_DEVICE {
 

@@ -1,4 +1,4 @@
-#include "gpu/scan_reduce.h"
+#include <gpuwars/scan_reduce.h>
 
 namespace gw::GW_DEVICE {
 namespace {

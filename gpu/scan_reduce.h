@@ -6,10 +6,10 @@
 // run() takes whatever gives the word of an item, so that counting needs no launch of its own.
 #pragma once
 
-#include <type_traits>
+#include <gpuwars/buffer.h>
+#include <gpuwars/detail/scan_block.h>
 
-#include "gpu/buffer.h"
-#include "gpu/scan_block.h"
+#include <type_traits>
 
 namespace gw::GW_DEVICE {
 

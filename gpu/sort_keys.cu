@@ -1,6 +1,6 @@
-#include <utility>
+#include <gpuwars/sort_keys.h>
 
-#include "gpu/sort_keys.h"
+#include <utility>
 
 #if GW_ON_CUDA
 #include <cub/device/device_radix_sort.cuh>

@@ -2,9 +2,9 @@
 // what suits it: CUB's radix sort on cuda (the only file that includes CUB), one of digits of 11 bits on cpu.
 #pragma once
 
-#include "gpu/buffer.h"
+#include <gpuwars/buffer.h>
 #if !GW_ON_CUDA
-#include "gpu/bin_sort.h"  // whose cuda side in turn uses this
+#include <gpuwars/bin_sort.h>  // whose cuda side in turn uses this
 #endif
 
 namespace gw::GW_DEVICE {

@@ -4,14 +4,14 @@
 // Each stage is a range for NVIDIA's profilers too. A listener is told after each stage that is not captured.
 #pragma once
 
+#include <gpuwars/exec.h>
+
 #include <chrono>
 #include <cstring>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "gpu/exec.h"
 
 #if GW_ON_CUDA
 #include <nvtx3/nvToolsExt.h>

@@ -2,8 +2,8 @@
 // key of its place (who, which field) and the results are added.
 #pragma once
 
-#include "gpu/device.h"
-#include "gpu/plain_types.h"
+#include <gpuwars/device.h>
+#include <gpuwars/plain_types.h>
 
 namespace gw::GW_DEVICE {
 

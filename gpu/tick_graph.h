@@ -4,10 +4,10 @@
 // Captured pointers are frozen: whoever ping-pongs buffers captures one graph per parity.
 #pragma once
 
+#include <gpuwars/exec.h>
+
 #include <functional>
 #include <utility>
-
-#include "gpu/exec.h"
 
 namespace gw::GW_DEVICE {
 

@@ -1,7 +1,7 @@
+#include <gpuwars/uniform_grid.h>
+
 #include <cmath>
 #include <stdexcept>
-
-#include "gpu/uniform_grid.h"
 
 namespace gw::GW_DEVICE {
 namespace {

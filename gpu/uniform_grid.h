@@ -13,8 +13,8 @@
 // The sort is stable, so the arrangement is unique on every device.
 #pragma once
 
-#include "gpu/bin_sort.h"
-#include "gpu/neighbour.h"
+#include <gpuwars/bin_sort.h>
+#include <gpuwars/neighbour.h>
 
 namespace gw::GW_DEVICE {
 

@@ -18,8 +18,8 @@
 // the grid: there is no search from a place in the world.
 #pragma once
 
-#include "gpu/neighbour.h"
-#include "gpu/ngrid.h"
+#include <gpuwars/neighbour.h>
+#include <gpuwars/ngrid.h>
 
 namespace gw::GW_DEVICE {
 

@@ -1,4 +1,4 @@
-#include "gpu/worker_pool.h"
+#include <gpuwars/worker_pool.h>
 
 #include <algorithm>
 #include <cassert>

@@ -6,14 +6,15 @@
 //
 // gw_add_kernels() compiles this file once per device. The result has the same bits on all of them, because pushes are
 // summed as integers (the order of visits differs) and because arithmetic is + - * / and sqrtf only.
+#include <gpuwars/fixed_sum.h>
+#include <gpuwars/ngrid.h>
+#include <gpuwars/philox.h>
+#include <gpuwars/row_gather.h>
+#include <gpuwars/state_hash.h>
+
 #include <vector>
 
 #include "crowd.h"
-#include "gpu/fixed_sum.h"
-#include "gpu/ngrid.h"
-#include "gpu/philox.h"
-#include "gpu/row_gather.h"
-#include "gpu/state_hash.h"
 
 namespace gw::GW_DEVICE {
 namespace {

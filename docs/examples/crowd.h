@@ -1,9 +1,9 @@
 // What crowd_main.cpp sees of crowd.cu: the same function, once per device.
 #pragma once
 
-#include <cstdint>
+#include <gpuwars/exec_options.h>
 
-#include "gpu/exec_options.h"
+#include <cstdint>
 
 struct CrowdReport {
   uint64_t hash;                 // of where everybody stands

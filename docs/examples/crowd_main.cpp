@@ -1,13 +1,14 @@
 // Where a crowd stands after its members have stepped away from each other. The hashes are the same on every device
 // and with any number of threads.
 //   crowd [auto|cpu|cuda] [threads]
+#include <gpuwars/device_list.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
 
 #include "crowd.h"
-#include "gpu/device_list.h"
 
 static void print(const char* when, const CrowdReport& report) {
   std::printf("%s  %016llx  nearest other at %.3f to %.3f m\n", when, static_cast<unsigned long long>(report.hash),

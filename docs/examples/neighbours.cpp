@@ -1,11 +1,11 @@
 // Who is near whom: 1,000 points at random in a square, each of them asks for all others within 3 m.
 // Prints a line per point: id, x, y, then the ids of its neighbours.
+#include <gpuwars/neighbour_lists.h>
+#include <gpuwars/philox.h>
+#include <gpuwars/row_gather.h>
+
 #include <cstdio>
 #include <vector>
-
-#include "gpu/neighbour_lists.h"
-#include "gpu/philox.h"
-#include "gpu/row_gather.h"
 
 using namespace gw;       // plain data
 using namespace gw::cpu;  // what runs on the device

@@ -2,6 +2,7 @@
 
 game/sim and game/autopilot run on the device: of render/ they may know only the plain vertex struct. Of libraries only
 public headers are included: the others move from version to version.
+gpu/ is a library: its users may have a folder of that name, which must not be found in place of this one.
 """
 import re
 
@@ -30,6 +31,8 @@ def included_file(source, name, quoted, angled):
         if beside.is_file() and beside.is_relative_to(source):
             return beside.relative_to(source).as_posix()
     path = quoted or angled
+    if path.startswith("gpuwars/"):  # the flat public headers of gpu/
+        return path.replace("gpuwars/", "gpu/", 1)
     return path if path.split("/")[0] in LAYERS and "/" in path else None
 
 
@@ -44,7 +47,10 @@ def check(source, _build):
                 if PRIVATE.search(quoted or angled):
                     offences.append(f"{name}: {quoted or angled} is a library's own affair")
                 continue
-            if target.split("/")[0] not in MAY_INCLUDE[layer]:
+            if layer == "gpu" and (quoted or angled).startswith("gpu/"):
+                offences.append(f"{name}: names {target} by the folder; say <gpuwars/NAME.h>, or of a header that is "
+                                "not installed the name alone")
+            elif target.split("/")[0] not in MAY_INCLUDE[layer]:
                 offences.append(f"{name}: {layer}/ must not include {target}")
             elif name.startswith(ON_DEVICE) and target.startswith("render/") and target != "render/sprite_vertex.h":
                 offences.append(f"{name}: of render/ the simulation may include sprite_vertex.h only, not {target}")
@@ -57,7 +63,10 @@ def check(source, _build):
 def planted(build, folder):
     files = {
         "gpu/a.h": '#include "render/b.h"\n',
-        "gpu/c.h": '#include <vector>\n#include "gpu/a.h"\n#include "device_functions.h"\n',
+        "gpu/c.h": '#include <vector>\n#include <gpuwars/a.h>\n#include "a.h"\n#include "device_functions.h"\n',
+        "gpu/by_folder.h": '#include "gpu/a.h"\n',
+        "gpu/by_folder_angled.cu": "#include <gpu/a.h>\n",
+        "tools/t.cpp": "#include <gpuwars/a.h>\n",
         "render/b.h": '  #  include "game/sim/state.h"\n',
         "render/angled.h": "#include <game/sim/state.h>\n",
         "render/upwards.cpp": '#include "../game/sim/state.h"\n',
@@ -73,8 +82,9 @@ def planted(build, folder):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
     offences = check(folder, build)
-    expected = ["gpu/a.h", "render/b.h: ", "render/angled.h", "render/upwards.cpp", "game/sim/draw.cu",
-                "game/main.cpp", "game/parser.cpp: toml++/impl/parser.h", "labs/l.cpp"]
+    expected = ["gpu/a.h: ", "gpu/by_folder.h", "gpu/by_folder_angled.cu", "render/b.h: ", "render/angled.h",
+                "render/upwards.cpp", "game/sim/draw.cu", "game/main.cpp", "game/parser.cpp: toml++/impl/parser.h",
+                "labs/l.cpp", "tools/t.cpp"]
     escaped = gate_tools.escaped("planted include", offences, expected)
     if len(offences) != len(expected):
         escaped.append(f"{len(expected)} offences were planted, {len(offences)} reported: {offences}")

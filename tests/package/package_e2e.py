@@ -4,24 +4,21 @@
     package_e2e.py SOURCE BUILD FOLDER      CXX and others in the environment say what to compile with
 
 Nothing of the game is installed; every header compiles, whatever was included before; docs/examples builds with the
-command that its README gives, and prints what the README says, the same on every device and number of threads.
+command that its README gives, and prints what the README says, the same on every device and number of threads. Other
+ways to take the library in: ways_e2e.py.
 """
-import os
 import re
 import shutil
 import struct
-import subprocess
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "e2e"))
-from program import Failures, run  # noqa: E402
+from library import STRICT, Failures, built, cached, installed, run
 
-# gpu/exec.h takes in one of them.
-PARTS_OF_OTHERS = {"cuda_check.h", "exec_cpu.h", "exec_cuda.h"}
-
+INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
 USE_HEADERS = """cmake_minimum_required(VERSION 3.22)
 project(use_headers LANGUAGES CXX)
+set(GW_CUDA ON)
 find_package(gpuwars REQUIRED)
 gw_add_kernels(headers forwards.cu backwards.cu)
 add_executable(use_headers main.cpp)
@@ -29,24 +26,13 @@ target_link_libraries(use_headers PRIVATE headers)
 """
 
 
-def installed_files(build, folder):
-    """The prefix, moved after installing, and the relative paths of what is in it."""
-    subprocess.run(["cmake", "--install", build, "--component", "gpu", "--prefix", folder / "installed"], check=True,
-                   stdout=subprocess.DEVNULL)
-    prefix = (folder / "installed").rename(folder / "moved")
-    return prefix, {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_file()}
-
-
-def cached(build, name):
-    return re.search(rf"^{name}:\w+=(.*)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE).group(1)
-
-
-def check_files(failures, source, build, prefix, files):
+def check_files(failures, source, build, prefix):
+    files = {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_file()}
     library = Path(cached(build, "CMAKE_INSTALL_LIBDIR")).as_posix()
     devices = ["cpu", "cuda"] if f"{library}/libgw_gpu_cuda.a" in files else ["cpu"]
     package = f"{library}/cmake/gpuwars/"
-    wanted = {f"include/gpu/{header.name}" for header in (source / "gpu").glob("*.h")}
-    wanted |= {f"{library}/libgw_gpu_{part}.a" for part in ["host", *devices]}
+    wanted = {path.relative_to(build).as_posix() for path in (build / "include/gpuwars").rglob("*.h")}
+    wanted |= {f"{library}/libgw_gpu_{part}.a" for part in ["host", *devices]} | {f"{library}/pkgconfig/gpuwars.pc"}
     wanted |= {package + name for name in ("gpuwarsConfig.cmake", "gpuwarsConfigVersion.cmake", "gpuwarsTargets.cmake",
                                            "cuda_language.cmake", "gw_add_kernels.cmake")}
     others = {path for path in files - wanted if not path.startswith(package + "gpuwarsTargets-")}
@@ -58,24 +44,32 @@ def check_files(failures, source, build, prefix, files):
     return devices
 
 
-def built(failures, command, folder, prefix):
-    """Runs a shell command that builds folder/build."""
-    environment = {**os.environ, "PREFIX": str(prefix), "CMAKE_BUILD_PARALLEL_LEVEL": "2", "CCACHE_BASEDIR": str(folder),
-                   "CCACHE_NOHASHDIR": "1"}
-    result = subprocess.run(command, shell=True, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
-                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    return failures.check(result.returncode == 0, f"builds: {command}" + "\n" * bool(result.returncode)
-                          + result.stdout * bool(result.returncode))
+def check_public_headers(failures, source, prefix):
+    """Users get what users need: the headers that are for them, and what these include."""
+    include = prefix / "include"
+    sources = {path.name: path.read_text() for path in (source / "gpu").rglob("*.h")}
+    places = {path.name: path.relative_to(include).as_posix() for path in include.rglob("*.h")}
+    changed = [name for name in places if (include / places[name]).read_text() != sources.get(name)]
+    failures.check(places and not changed, f"{len(places)} headers are those of gpu/: {changed}")
+    for_users = {name for name, text in sources.items() if "Not for users" not in text.split("#pragma once")[0]}
+    named = {name for text in sources.values() for name in INCLUDE.findall(text) if name.startswith("gpuwars/")}
+    public = {name for name, place in places.items() if place == f"gpuwars/{name}"}
+    detail = {place for place in places.values() if place.startswith("gpuwars/detail/")}
+    failures.check(public == for_users, f"public are all that do not say otherwise: {sorted(public ^ for_users)}")
+    failures.check(named <= set(places.values()), f"what they name is there: {sorted(named - set(places.values()))}")
+    failures.check(detail <= named, f"details that nothing includes: {sorted(detail - named)}")
+    by_name = [name for name in places if re.search(r'#include "', sources[name])]
+    failures.check(not by_name, f"they name each other as users do: {by_name}")
 
 
 def check_headers(failures, command, folder, prefix, devices):
     folder.mkdir()
-    names = sorted({path.name for path in (prefix / "include/gpu").glob("*.h")} - PARTS_OF_OTHERS)
+    names = sorted(path.name for path in (prefix / "include/gpuwars").glob("*.h"))
     for order, headers in (("forwards", names), ("backwards", reversed(names))):
-        (folder / f"{order}.cu").write_text("".join(f'#include "gpu/{header}"\n' for header in headers))
+        (folder / f"{order}.cu").write_text("".join(f"#include <gpuwars/{header}>\n" for header in headers))
     (folder / "main.cpp").write_text("int main() {}\n")
     (folder / "CMakeLists.txt").write_text(USE_HEADERS)
-    if built(failures, command, folder, prefix):
+    if built(failures, command, folder, prefix, CXXFLAGS=" ".join(STRICT)):
         objects = {path.name for path in folder.rglob("lib*.a")}
         failures.check(objects == {f"libheaders_{device}.a" for device in devices},
                        f"{len(names)} headers compile in both orders for {devices}: {sorted(objects)}")
@@ -132,13 +126,14 @@ def main():
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     failures = Failures()
-    prefix, files = installed_files(build, folder)
-    devices = check_files(failures, source, build, prefix, files)
+    prefix = installed(build, folder)
+    devices = check_files(failures, source, build, prefix)
+    check_public_headers(failures, source, prefix)
 
     examples = shutil.copytree(source / "docs/examples", folder / "examples", ignore=shutil.ignore_patterns("build"))
     readme = (examples / "README.md").read_text()
     command = re.search(r"^cmake -B build .*$", readme, re.MULTILINE).group()
-    if built(failures, command, examples, prefix):
+    if built(failures, command, examples, prefix, CXXFLAGS=" ".join(STRICT)):
         check_neighbours(failures, examples / "build/neighbours", readme)
         check_crowd(failures, examples / "build/crowd", readme.splitlines(), devices)
     check_headers(failures, command, folder / "headers", prefix, devices)

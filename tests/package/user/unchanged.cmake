@@ -1,0 +1,35 @@
+# Whoever takes the library in finds the variables and languages of the project as they were, and in the cache nothing
+# new but what has the library's name.
+# CMake itself and its find_package(Threads); CMAKE_PROJECT_VERSION of a project without one is that of any inside it.
+set(for_cmake "^CMAKE_(CURRENT_|PARENT_|MATCH_|FIND_PACKAGE_|PROJECT_VERSION|THREAD_|USE_|HAVE_|REQUIRED_)")
+set(named "^(GW_|gpuwars_|FETCHCONTENT_|FIND_PACKAGE_MESSAGE_|CUDAToolkit_|CUDA_)")
+
+macro(remember)
+  get_cmake_property(names VARIABLES)
+  foreach(name IN LISTS names)
+    set(before_${name} "${${name}}")
+  endforeach()
+  get_cmake_property(cached_before CACHE_VARIABLES)
+  get_property(languages_before GLOBAL PROPERTY ENABLED_LANGUAGES)
+endmacro()
+
+function(require_unchanged)
+  get_cmake_property(names VARIABLES)
+  foreach(name IN LISTS names)
+    if(name MATCHES "^(CMAKE|BUILD|CTEST|PROJECT)_" AND NOT name MATCHES "${for_cmake}"
+       AND NOT "${${name}}" STREQUAL "${before_${name}}")
+      message(SEND_ERROR "${name} was '${before_${name}}' and is '${${name}}'")
+    endif()
+  endforeach()
+  get_cmake_property(names CACHE_VARIABLES)
+  list(REMOVE_ITEM names ${cached_before})
+  foreach(name IN LISTS names)
+    if(NOT name MATCHES "${named}" AND NOT name MATCHES "${for_cmake}")
+      message(SEND_ERROR "The cache has got ${name}")
+    endif()
+  endforeach()
+  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if(NOT "${languages}" STREQUAL "${languages_before}")
+    message(SEND_ERROR "Languages were ${languages_before} and are ${languages}")
+  endif()
+endfunction()
