@@ -1,4 +1,4 @@
-// A crowd at random in a square. In each step everybody is pushed away by everybody who stands nearer than a metre.
+// A crowd in a square. In each step everybody is pushed away by everybody who stands nearer than a metre.
 //
 //   upkeep       the grid brings the cells back into order, for they have moved
 //   push         one item, one cell: its neighbours, each through a visitor
@@ -6,12 +6,14 @@
 //
 // gw_add_kernels() compiles this file once per device. The result has the same bits on all of them, because pushes are
 // summed as integers (the order of visits differs) and because arithmetic is + - * / and sqrtf only.
+#include <gpuwars/exact_math.h>
 #include <gpuwars/fixed_sum.h>
 #include <gpuwars/ngrid.h>
 #include <gpuwars/philox.h>
 #include <gpuwars/row_gather.h>
 #include <gpuwars/state_hash.h>
 
+#include <cmath>
 #include <vector>
 
 #include "crowd.h"
@@ -22,6 +24,15 @@ namespace {
 constexpr float kSide_m = 50.0f, kRoom_m = 1.0f;
 constexpr float kShare = 0.25f;            // of an overlap that one step takes from each side
 constexpr float kUnitsPerMetre = 0x1p20f;  // of the integer sums; a power of two
+
+// The direction in which somebody leaves another in the same place, who leaves in the opposite one. It comes from both
+// ids: a fixed direction would keep all who started in one place on one line for ever.
+GW_FN Float2 partingOf(uint32_t id, uint32_t other) {
+  const bool first = id < other;
+  const Uint4 random = philox(2, {first ? id : other, first ? other : id, 0, 0});
+  const SineCosine angle = sineCosine(unitFloat(random.x) * kTwoPi);
+  return first ? Float2{angle.cosine, angle.sine} : Float2{-angle.cosine, -angle.sine};
+}
 
 // One item: one cell. Cells that fill the last row are dead, and push nobody.
 struct Push {
@@ -39,8 +50,8 @@ struct Push {
         const float part = kShare * (kRoom_m - distance) / distance;
         sum.add(-away.x * part, -away.y * part, kUnitsPerMetre);
       } else {
-        sum.add(other.id < self.id ? kShare : -kShare, 0.0f,
-                kUnitsPerMetre);  // in one place: ids decide who goes where
+        const Float2 parting = partingOf(self.id, other.id);
+        sum.add(parting.x * kShare * kRoom_m, parting.y * kShare * kRoom_m, kUnitsPerMetre);
       }
     });
     pushes_m[self.id] = sum.total(kUnitsPerMetre);
@@ -76,18 +87,26 @@ struct Nearest {
   }
 };
 
-std::vector<Cell> randomPlaces(uint32_t agents) {
+std::vector<Cell> placesAt(Start start, uint32_t agents) {
   std::vector<Cell> places(agents);
   for (uint32_t i = 0; i < agents; ++i) {
     const Uint4 random = philox(1, {i, 0, 0, 0});
-    places[i] = {unitFloat(random.x) * kSide_m, unitFloat(random.y) * kSide_m, i, 0};
+    const bool scattered = start == Start::scattered;
+    places[i] = {scattered ? unitFloat(random.x) * kSide_m : kSide_m / 2,
+                 scattered ? unitFloat(random.y) * kSide_m : kSide_m / 2, i, 0};
   }
   return places;
 }
 
+// The standard deviation of what has this sum and this sum of squares.
+float deviation(double sum, double squares, uint32_t count) {
+  const double mean = sum / count;
+  return float(std::sqrt(larger(float(squares / count - mean * mean), 0.0f)));
+}
+
 }  // namespace
 
-CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps) {
+CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps, Start start) {
   Queue queue(options);
   const NDimensions dimensions = chooseDimensions(agents, {kSide_m, kSide_m, 0.0f}, kRoom_m);
   const Count all{dimensions.cells()};
@@ -100,18 +119,26 @@ CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps) {
   // Of the order in which the cells stand nothing enters the hash: that is how the crowd was found, not where it is.
   const auto report = [&] {
     forEach(queue, all, Nearest{nearest.data(), {grid.view(cells.data())}});
-    CrowdReport now{0, kSide_m, 0.0f};
+    CrowdReport now{0, kSide_m, 0.0f, 0.0f, 0.0f};
     for (const float distance : nearest.download()) {
       now.closest_m = smaller(now.closest_m, distance);
       now.loneliest_m = larger(now.loneliest_m, distance);
     }
+    double sumX = 0.0, sumY = 0.0, squaresX = 0.0, squaresY = 0.0;
     for (const Cell& cell : cells.download()) {
-      if (cell.id < agents) now.hash += hashWord(cell.id, 0, uint64_t(bitsOf(cell.x)) << 32 | bitsOf(cell.y));
+      if (cell.id >= agents) continue;  // dead
+      now.hash += hashWord(cell.id, 0, uint64_t(bitsOf(cell.x)) << 32 | bitsOf(cell.y));
+      sumX += double(cell.x);
+      sumY += double(cell.y);
+      squaresX += double(cell.x) * double(cell.x);
+      squaresY += double(cell.y) * double(cell.y);
     }
+    now.spreadX_m = deviation(sumX, squaresX, agents);
+    now.spreadY_m = deviation(sumY, squaresY, agents);
     return now;
   };
 
-  cells.upload(padded(randomPlaces(agents), dimensions));
+  cells.upload(padded(placesAt(start, agents), dimensions));
   grid.rebuild(queue, cells.data(), cellOf.data());
   CrowdRun run;
   run.before = report();

@@ -5,9 +5,12 @@
 
 #include <cstdint>
 
+enum class Start { scattered, together };  // at random in the square; all in its centre
+
 struct CrowdReport {
   uint64_t hash;                 // of where everybody stands
   float closest_m, loneliest_m;  // the smallest and the largest distance from anybody to the nearest other
+  float spreadX_m, spreadY_m;    // the standard deviation of places
 };
 
 struct CrowdRun {
@@ -15,10 +18,10 @@ struct CrowdRun {
 };
 
 namespace gw::cpu {
-CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps);
+CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps, Start start);
 }
 #ifdef GW_HAVE_CUDA  // gw_add_kernels() defines it
 namespace gw::cuda {
-CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps);
+CrowdRun runCrowd(const ExecOptions& options, uint32_t agents, uint32_t steps, Start start);
 }
 #endif

@@ -121,6 +121,18 @@ def check_crowd(failures, program, readme, devices):
                        f"crowd cuda is the same or says why not: {out or err}")
 
 
+def check_together(failures, program):
+    """All start in one place, and are soon apart in every direction."""
+    runs = {run(program, "cpu", threads, "together")[1] for threads in (1, 2, 7)}
+    out = runs.pop()
+    failures.check(not runs, f"a crowd that starts in one place has the same bits on 1, 2 and 7 threads: {out} {runs}")
+    before, after = (list(map(float, re.findall(r"\d+\.\d+", line))) for line in out.splitlines()[1:3])
+    failures.check(before == [0.0] * 4, f"it starts there: {before}")
+    closest, _, x, y = after
+    failures.check(closest > 0 and x > 5 and y > 5 and 0.8 < x / y < 1.25,
+                   f"nobody shares a place, and it is as high as it is wide: {after}")
+
+
 def main():
     source, build, folder = (Path(argument).resolve() for argument in sys.argv[1:4])
     shutil.rmtree(folder, ignore_errors=True)
@@ -136,6 +148,7 @@ def main():
     if built(failures, command, examples, prefix, CXXFLAGS=" ".join(STRICT)):
         check_neighbours(failures, examples / "build/neighbours", readme)
         check_crowd(failures, examples / "build/crowd", readme.splitlines(), devices)
+        check_together(failures, examples / "build/crowd")
     check_headers(failures, command, folder / "headers", prefix, devices)
     failures.finish()
 
