@@ -31,15 +31,14 @@ uint32_t divideUp(uint32_t n, uint32_t by) {
   return n / by + (n % by ? 1 : 0);
 }
 
-bool isLength(float length) {
-  return length > 0.0f && std::isfinite(length);
-}
-
 // Returns how many axes the box has.
 int checkedAxes(uint32_t n, Float3 size) {
   if (n == 0) throw std::invalid_argument("An NGrid of 0 cells was asked for; n is at least 1.");
-  if (!isLength(size.x) || !isLength(size.y) || !(size.z == 0.0f || isLength(size.z))) {
-    throw std::invalid_argument("The box of an NGrid has a finite size above 0 m along x and y (0 along z: in 2D).");
+  for (const float length : {size.x, size.y, size.z}) {
+    if (!(length >= 0.0f && std::isfinite(length))) {
+      throw std::invalid_argument(
+          "The box of an NGrid has a finite size of at least 0 m along each axis (0 along z: in 2D).");
+    }
   }
   return size.z > 0.0f ? 3 : 2;
 }
@@ -49,13 +48,21 @@ int checkedAxes(uint32_t n, Float3 size) {
                               std::to_string(most) + " fit; use fewer entities.");
 }
 
-// What a search of `radius` is expected to cost in this box, in tests.
+// What a search of `radius` is expected to cost in this box, in tests. Along an axis without a length all are met.
 double expectedCost(NDimensions d, Float3 size, float radius) {
   const auto met = [&](float along, uint32_t lines) {
-    return smallerOf(2.0 * double(radius) * lines / double(along) + 1.0, double(lines));
+    return along > 0.0f ? smallerOf(2.0 * double(radius) * lines / double(along) + 1.0, double(lines)) : double(lines);
   };
   const double rows = met(size.y, d.rows) * (size.z > 0.0f ? met(size.z, d.slabs) : 1.0);
-  return rows * (kRowCost + smallerOf(2.0 * double(radius) / double(size.x), 1.0) * d.columns);
+  const double span = size.x > 0.0f ? smallerOf(2.0 * double(radius) / double(size.x), 1.0) : 1.0;
+  return rows * (kRowCost + span * d.columns);
+}
+
+// How far apart n entities stand that are spread evenly along those axes of the box that have a length.
+double distanceApart(uint32_t n, double x, double y, double z) {
+  const bool inX = x > 0.0, inY = y > 0.0;  // z is above 0
+  if (inX && inY) return cubeRoot(x * y * z / double(n));
+  return inX ? std::sqrt(x * z / double(n)) : inY ? std::sqrt(y * z / double(n)) : z / double(n);
 }
 
 }  // namespace
@@ -72,7 +79,9 @@ bool Steps::differBy(float share) const {
 
 NDimensions chooseDimensions(uint32_t n, Float3 size, float radius) {
   const int axes = checkedAxes(n, size);
-  if (!isLength(radius)) throw std::invalid_argument("A radius to choose dimensions for is finite and above 0 m.");
+  if (!(radius > 0.0f && std::isfinite(radius))) {
+    throw std::invalid_argument("A radius to choose dimensions for is finite and above 0 m.");
+  }
   const auto mostCells = [&](uint64_t longest) { return axes == 3 ? (1ull << 31) - 1 : (longest - 16) * longest; };
   if (n > mostCells(kLongestLine)) refuse(n, mostCells(kLongestLine));
   const uint32_t longest = n <= mostCells(kLongLine) ? kLongLine : kLongestLine;
@@ -110,10 +119,12 @@ NDimensions chooseWindowDimensions(uint32_t n, Float3 size) {
     return larger(count, rest);
   };
   if (axes == 2) {
-    const uint32_t columns = fitting(std::sqrt(double(n) * (x / y)) + 0.5, divideUp(n, longest));
+    // Without a height all stand in one row; in one place they are as well off in a square as in any other shape.
+    const double wanted = y > 0.0 ? std::sqrt(double(n) * (x / y)) : x > 0.0 ? double(n) : std::sqrt(double(n));
+    const uint32_t columns = fitting(wanted + 0.5, divideUp(n, longest));
     return {columns, divideUp(n, columns)};
   }
-  const double apart = cubeRoot(x * y * z / double(n));
+  const double apart = distanceApart(n, x, y, z);
   const uint32_t columns = fitting(x / apart + 0.5, divideUp(n, longest * longest));
   const uint32_t rows = fitting(y / apart + 0.5, divideUp(divideUp(n, columns), longest));
   const NDimensions found{columns, rows, divideUp(divideUp(n, columns), rows)};

@@ -24,16 +24,17 @@ struct NDimensions {
 };
 
 // All of these throw std::invalid_argument, and say which argument and the limit, when n is 0 or more cells than lines
-// of kLongestLine (by chooseDimensions(), rows of 4,080) can hold, or a length is not as described.
+// of kLongestLine (by chooseDimensions(), rows of 4,080) can hold, or a length is not as described. The box may be that of
+// the data, with no length along some axes, or along any: all at one x, on a line, in one place. A z of 0 makes it 2D.
 
-// For exact gathers of `radius` (m, finite, above 0) among n entities spread over a box of `size` (m, finite, above 0;
-// a z of 0 makes it 2D): the rows and slabs for which a cost model expects the fastest search. What a search pays is
-// mostly the two ends of its span in each row that it meets, and then the tests: cost = kRowCost * rows met + tests. So
-// rows are fewer and longer than columns; docs/ngrid-performance.md has the fit.
+// For exact gathers of `radius` (m, finite, above 0) among n entities spread over a box of `size` (m, finite, at least
+// 0): the rows and slabs for which a cost model expects the fastest search. What a search pays is mostly the two ends
+// of its span in each row that it meets, and then the tests: cost = kRowCost * rows met + tests. So rows are fewer and
+// longer than columns; docs/ngrid-performance.md has the fit.
 NDimensions chooseDimensions(uint32_t n, Float3 size, float radius);
 
 // For windowed gathers: so that n entities spread over the box stand as far apart along each axis, as far as
-// the length of lines allows. A z of 0 makes it 2D.
+// the length of lines allows.
 NDimensions chooseWindowDimensions(uint32_t n, Float3 size);
 
 // The mean distance along each axis between neighbours on a line of that axis, both living; 0 along an axis with
