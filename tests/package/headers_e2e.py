@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The installed headers in a strict project: each alone, and with files of the same names in the way.
 
-    headers_e2e.py SOURCE BUILD FOLDER      CXX and CUDACXX in the environment; clang++ as well where it is
+    headers_e2e.py SOURCE BUILD FOLDER      CXX and CUDACXX in the environment; clang++ beside g++ where it is
 
 No warning of -Wall -Wextra -Wpedantic -Wshadow -Wconversion comes from them, though they are no system headers, and
 none is taken from a user's folder, whichever stands first. Without C++20 they say so.
@@ -32,7 +32,8 @@ class Headers:
         self.mine = write_mine(source, folder / "mine")
         self.examples, self.templates = source / "docs/examples", source / "tests/package/every_template.cu"
         self.public = sorted(path.name for path in (self.include / "gpuwars").glob("*.h"))
-        self.compilers = [COMPILER] + [found for found in ("clang++",) if shutil.which(found)]
+        other = "g++" if "clang" in COMPILER else "clang++"
+        self.compilers = [COMPILER, other] if shutil.which(other) else [COMPILER]
 
     def alone(self, compiler):
         """Every header, in a program that includes nothing else."""
