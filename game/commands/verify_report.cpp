@@ -1,5 +1,7 @@
 #include "game/commands/verify_report.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -92,7 +94,7 @@ std::string junitXml(const std::vector<Outcome>& outcomes) {
   for (const Outcome& outcome : outcomes) {
     seconds += outcome.seconds;
     cases += "  <testcase classname=\"gpuwars.verify\" name=\"" + profile::xmlEscaped(outcome.file) + "\" time=\"" +
-             std::to_string(outcome.seconds) + "\"";
+             fmt::format("{:.6f}", outcome.seconds) + "\"";
     if (outcome.code == ExitCode::fine) {
       cases += "/>\n";
       continue;
@@ -106,7 +108,7 @@ std::string junitXml(const std::vector<Outcome>& outcomes) {
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"gpuwars verify\" tests=\"" +
          std::to_string(outcomes.size()) + "\" failures=\"" + std::to_string(failures) + "\" errors=\"" +
-         std::to_string(errors) + "\" time=\"" + std::to_string(seconds) + "\">\n" + cases + "</testsuite>\n";
+         std::to_string(errors) + "\" time=\"" + fmt::format("{:.6f}", seconds) + "\">\n" + cases + "</testsuite>\n";
 }
 
 }  // namespace gw

@@ -1,6 +1,6 @@
 #include "game/ui/format.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "game/sim/rules.h"
 
@@ -17,9 +17,7 @@ std::string withCommas(uint64_t number) {
 
 std::string minutesSeconds(uint32_t ticks) {
   const uint32_t seconds = ticks / kTicksPerSecond;
-  char text[24];
-  std::snprintf(text, sizeof text, "%u:%02u", seconds / 60, seconds % 60);
-  return text;
+  return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
 }
 
 std::string minutesTenths(uint32_t ticks) {
@@ -27,15 +25,11 @@ std::string minutesTenths(uint32_t ticks) {
 }
 
 std::string oneDecimal(double number) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.1f", number);
-  return text;
+  return fmt::format("{:.1f}", number);
 }
 
 std::string twoDecimals(double number) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.2f", number);
-  return text;
+  return fmt::format("{:.2f}", number);
 }
 
 std::string multiplierText(uint32_t tenths) {

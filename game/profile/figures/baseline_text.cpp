@@ -1,5 +1,6 @@
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "game/profile/figures/baseline.h"
 
@@ -7,24 +8,17 @@ namespace gw::profile {
 
 namespace {
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[200];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
 // About four digits, never an exponent.
 std::string number(double value) {
   if (!std::isfinite(value)) return "-";
   const double size = std::abs(value);
-  return format("%.*f", size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 4, value);
+  return fmt::format("{:.{}f}", value, size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 4);
 }
 
 std::string ratioText(const Estimate& ratio) {
   if (!std::isfinite(ratio.value)) return "-";
-  const std::string value = format("%.3f", ratio.value);
-  return std::isnan(ratio.low) ? value : value + format(" (%.3f to %.3f)", ratio.low, ratio.high);
+  const std::string value = fmt::format("{:.3f}", ratio.value);
+  return std::isnan(ratio.low) ? value : fmt::format("{} ({:.3f} to {:.3f})", value, ratio.low, ratio.high);
 }
 
 // One line instead of many: a whole contender that only one session has.
@@ -40,9 +34,8 @@ std::string onlyIn(const std::vector<Compared>& all, size_t first, size_t last) 
 std::string line(const Compared& one) {
   std::string verdict = nameOf(one.verdict);
   if (one.failsGate) verdict += ", fails the gate";
-  return format("  %c %-26s %-8s %10s %10s  %-24s %s\n", one.gated ? '*' : ' ', one.metric.c_str(),
-                metric(one.metric).unit, number(one.old).c_str(), number(one.now).c_str(), ratioText(one.ratio).c_str(),
-                verdict.c_str());
+  return fmt::format("  {} {:<26} {:<8} {:>10} {:>10}  {:<24} {}\n", one.gated ? '*' : ' ', one.metric,
+                     metric(one.metric).unit, number(one.old), number(one.now), ratioText(one.ratio), verdict);
 }
 
 }  // namespace
@@ -79,8 +72,8 @@ std::string baselineText(const Comparison& comparison) {
       text += ": " + only + "\n";
       continue;
     }
-    text += format("\n    %-26s %-8s %10s %10s  %-24s %s\n", "metric (* gated)", "unit", "old", "now",
-                   "now/old (95 % interval)", "verdict");
+    text += fmt::format("\n    {:<26} {:<8} {:>10} {:>10}  {:<24} {}\n", "metric (* gated)", "unit", "old", "now",
+                        "now/old (95 % interval)", "verdict");
     for (size_t i = first; i < last; ++i) text += line(all[i]);
   }
   return text + comparison.gateSentence + "\n";

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -61,11 +62,9 @@ std::string trimmed(const std::string& text) {
 }
 
 double numberIn(const std::string& text) {
-  try {
-    return std::stod(text);
-  } catch (const std::exception&) {
-    return kUnknown;
-  }
+  double value = kUnknown;  // in the driver's way, whatever the locale
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 }  // namespace
