@@ -1,13 +1,9 @@
 #include "render/screenshot.h"
 
 #include <GL/glew.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <stdexcept>
-#include <string>
-#include <system_error>
+#include <new>
 
 #include "render/gl_objects.h"
 
@@ -18,8 +14,10 @@
 namespace gw {
 namespace {
 
-void appendToFile(void* file, void* data, int size) {
-  std::fwrite(data, 1, size_t(size), static_cast<std::FILE*>(file));
+void append(void* bytes, void* data, int size) {
+  auto& all = *static_cast<std::vector<uint8_t>*>(bytes);
+  const auto* first = static_cast<const uint8_t*>(data);
+  all.insert(all.end(), first, first + size);
 }
 
 }  // namespace
@@ -39,38 +37,14 @@ Image readPixels(PixelSize size) {
   return image;
 }
 
-void writePng(const std::filesystem::path& path, const Image& image) {
-  const auto fail = [&](const std::string& reason) {
-    return std::runtime_error("Cannot write the picture " + path.string() + " (" + reason +
-                              "): choose a folder that exists and that you may write to, with room on its disk.");
-  };
-  // The process id keeps two runs that write the same picture out of each other's way.
-  std::filesystem::path temporary = path;
-  temporary += std::string(".").append(std::to_string(getpid())).append(".part");
-  std::FILE* file = std::fopen(temporary.c_str(), "wb");
-  if (file == nullptr) throw fail(std::generic_category().message(errno));
+std::vector<uint8_t> encodePng(const Image& image) {
+  std::vector<uint8_t> bytes;
   stbi_write_png_compression_level = 5;  // a third of the time of the default 8, for pictures a few per cent larger
-  const bool encoded = stbi_write_png_to_func(appendToFile, file, image.size.width, image.size.height, 3,
-                                              image.rgb.data(), image.size.width * 3) != 0;
-  const bool written = std::ferror(file) == 0;
-  const bool closed = std::fclose(file) == 0;
-  std::error_code error;
-  if (!encoded || !written || !closed) {
-    std::filesystem::remove(temporary, error);
-    throw fail("the disk did not take it");
+  if (stbi_write_png_to_func(append, &bytes, image.size.width, image.size.height, 3, image.rgb.data(),
+                             image.size.width * 3) == 0) {
+    throw std::bad_alloc();
   }
-  std::filesystem::rename(temporary, path, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(temporary, error);
-    throw fail(reason);
-  }
-}
-
-Image takeScreenshot(const std::filesystem::path& path, PixelSize size) {
-  Image image = readPixels(size);
-  writePng(path, image);
-  return image;
+  return bytes;
 }
 
 }  // namespace gw

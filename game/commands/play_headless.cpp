@@ -7,12 +7,13 @@
 #include "game/commands/hash_file.h"
 #include "game/commands/progress.h"
 #include "game/commands/run_factory.h"
+#include "game/files/atomic_file.h"
 #include "game/interrupt.h"
+#include "game/movie/picture_file.h"
 #include "game/movie/picture_maker.h"
 #include "game/ui/format.h"
 #include "game/ui/hud.h"
 #include "game/ui/mode_choice.h"
-#include "game/user_error.h"
 #include "gpu/kernel_count.h"
 
 namespace gw {
@@ -121,11 +122,7 @@ void takePicture(Run& run, const RunFactory& factory, const Options& options) {
     hud.enemies = options.enemies;
     drawHud(canvas, run.monitor(), factory.rules(), hud);
   });
-  try {
-    writePng(options.screenshotPath, image);
-  } catch (const std::runtime_error& error) {
-    throw UserError(ExitCode::badFile, error.what());
-  }
+  writePicture(options.screenshotPath, image);
 }
 
 }  // namespace
@@ -135,6 +132,7 @@ ExitCode playHeadless(const Options& options) {
   const uint64_t seed = options.seed.value_or(1);
   RunFactory factory(options);
   HashFile hashes(options.hashesPath);
+  if (!options.screenshotPath.empty()) checkWritable(options.screenshotPath);
   std::unique_ptr<Run> run = factory.make(options.mode, seed, options.autopilot, true);
   const Measured measured = runTicks(*run, options, hashes);
   run->finishRecording();

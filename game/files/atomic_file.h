@@ -18,7 +18,10 @@ struct FileError : std::runtime_error {
 // Checks that a file could be written at `path` by making the temporary file and removing it again.
 void checkWritable(const std::filesystem::path& path);
 
-// What stood at `path` survives a failure, and nothing else is left behind.
-void writeFileAtomically(const std::filesystem::path& path, std::span<const uint8_t> bytes);
+// When the disk itself has what was written. Later: a power cut may lose it.
+enum class Sync { now, later };
+
+// What stood at `path` survives a failure, and nothing else is left behind. Its permissions stay as they are.
+void writeFileAtomically(const std::filesystem::path& path, std::span<const uint8_t> bytes, Sync sync = Sync::now);
 
 }  // namespace gw

@@ -1,5 +1,5 @@
 // Frames as an MP4 film, encoded by ffmpeg: H.264 where it can, else MPEG-4. The film grows in a temporary file
-// beside its name and takes the name when it is whole.
+// beside its name and takes the name when it is whole: whatever ffmpeg does, an earlier film stays until then.
 #pragma once
 
 #include <memory>
@@ -14,19 +14,17 @@ class FilmFile final : public FrameSink {
  public:
   // Throws UserError when there is no ffmpeg, FileError when the file cannot be written.
   FilmFile(const std::filesystem::path& path, PixelSize size, uint32_t framesPerSecond);
-  ~FilmFile() override;
 
   void add(const Image& image) override;
   void finish() override;
 
  private:
-  [[noreturn]] void fail(const std::string& why);
-  void endEncoder();
-  void dropPart();
+  // Waits for it. Throws UserError unless it ended well, having read all (`whole`), and has written a film.
+  void endEncoder(bool whole);
 
-  std::filesystem::path path_, target_;
-  OpenPart part_;
-  std::unique_ptr<FedProcess> encoder_;
+  std::filesystem::path path_;
+  PartFile part_;
+  std::unique_ptr<FedProcess> encoder_;  // ended before its file goes
   uint32_t frames_ = 0;
 };
 

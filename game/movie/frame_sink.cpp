@@ -1,13 +1,10 @@
 #include "game/movie/frame_sink.h"
 
-#include <fmt/format.h>
-
 #include <optional>
 
-#include "game/files/atomic_file.h"
 #include "game/movie/film_file.h"
+#include "game/movie/picture_file.h"
 #include "game/movie/picture_folder.h"
-#include "game/user_error.h"
 
 namespace gw {
 
@@ -19,12 +16,7 @@ class PictureFile final : public FrameSink {
 
   void add(const Image& image) override { image_ = image; }
   void finish() override {
-    if (!image_) return;
-    try {
-      writePng(path_, *image_);
-    } catch (const std::runtime_error& error) {
-      throw UserError(ExitCode::badFile, error.what());
-    }
+    if (image_) writePicture(path_, *image_);
   }
 
  private:

@@ -5,6 +5,8 @@
 
 #include <system_error>
 
+#include "game/files/remedy.h"
+#include "game/movie/picture_file.h"
 #include "game/user_error.h"
 
 namespace gw {
@@ -28,7 +30,7 @@ PictureFolder::PictureFolder(const fs::path& folder) : folder_(folder) {
   const fs::file_status status = fs::status(folder, error);
   if (!fs::exists(status)) {
     if (!fs::create_directory(folder, error) && error) {
-      refuse(folder, error.message() + "; choose a folder inside one that exists and that you may write to");
+      refuse(folder, becauseNoFolder(error.value()));
     }
   } else if (!fs::is_directory(status)) {
     refuse(folder, "it is a file; give the name of a folder, or one that ends in .png or .mp4");
@@ -37,9 +39,9 @@ PictureFolder::PictureFolder(const fs::path& folder) : folder_(folder) {
     refuse(folder, "it is write-protected; choose another folder or lift the protection");
   }
   fs::directory_iterator entries(folder, error);
-  if (error) refuse(folder, error.message() + "; choose another folder");
+  if (error) refuse(folder, because(error.value()));
   for (; entries != fs::directory_iterator(); entries.increment(error)) {
-    if (error) refuse(folder, error.message() + "; choose another folder");
+    if (error) refuse(folder, because(error.value()));
     if (isFrame(entries->path())) {
       refuse(folder, "there are frames of another render in it; give an empty folder or delete them");
     }
@@ -47,11 +49,8 @@ PictureFolder::PictureFolder(const fs::path& folder) : folder_(folder) {
 }
 
 void PictureFolder::add(const Image& image) {
-  try {
-    writePng(folder_ / fmt::format("frame_{:06}.png", ++frames_), image);
-  } catch (const std::runtime_error& error) {
-    throw UserError(ExitCode::badFile, error.what());
-  }
+  // Thousands of them: the disk may take its time, a film of pictures is made again after a power cut.
+  writePicture(folder_ / fmt::format("frame_{:06}.png", ++frames_), image, Sync::later);
 }
 
 }  // namespace gw

@@ -14,6 +14,7 @@ from pathlib import Path
 from program import Failures, run, skip, without_display
 
 FINE, FAILED, USAGE, BAD_FILE, DESYNC = range(5)
+CTRL_C = FAILED
 SMALL = ("--width", 320, "--height", 200)
 
 
@@ -97,9 +98,24 @@ def interrupted(render, failures, folder):
     child.send_signal(signal.SIGINT)
     err = child.communicate(timeout=60)[1].decode()
     left = list((folder / "left").iterdir())
-    failures.check(child.returncode == FAILED and "Interrupted" in err, f"Ctrl-C is said: {err.strip()!r}")
+    failures.check(child.returncode == CTRL_C and "Interrupted" in err, f"Ctrl-C is said: {err.strip()!r}")
     failures.check(0 < len(left) < 240 and all(f.read_bytes().endswith(b"IEND\xaeB`\x82") for f in left),
                    f"Ctrl-C leaves {len(left)} whole pictures and nothing else")
+
+
+def decoded(path):
+    """The pixels of a picture, or of the first frame of a film, as a player would show them."""
+    return subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-frames:v", "1", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                          stdout=subprocess.PIPE, check=True).stdout
+
+
+def colours(render, failures, folder):
+    """A film shows the picture that render makes of the same tick."""
+    render.good("a film of a tick", "tick.mp4", "--from", 110, "--to", 110, *SMALL)
+    film, picture = decoded(folder / "tick.mp4"), decoded(folder / "one.png")
+    apart = [abs(a - b) for a, b in zip(film, picture)]
+    failures.check(len(film) == len(picture) == 3 * 320 * 200 and sum(apart) / len(apart) < 3,
+                   f"is the picture of that tick: {sum(apart) / len(apart):.2f} of 255 apart")
 
 
 def films(render, failures, folder):
@@ -112,6 +128,7 @@ def films(render, failures, folder):
     failures.check(stream["nb_read_frames"] == "90" and stream["r_frame_rate"] == "60/1", "90 frames at 60 a second")
     failures.check(abs(float(facts["format"]["duration"]) - 1.5) < 0.05, "which last 1.5 s")
     failures.check(len(facts["streams"]) == 1, "and no sound")
+    colours(render, failures, folder)
     render.good("a film at 120", "fast.mp4", "--from", 60, "--to", 69, "--fps", 120, *SMALL, says="20 of 20")
 
     child = subprocess.Popen([render.program, "render", render.replay, "--out", folder / "left.mp4"],
@@ -121,7 +138,7 @@ def films(render, failures, folder):
     err = child.communicate(timeout=60)[1].decode()
     whole = not (folder / "left.mp4").exists() or subprocess.run(
         ["ffprobe", "-v", "error", folder / "left.mp4"], stdout=subprocess.DEVNULL).returncode == 0
-    failures.check(child.returncode in (FINE, FAILED) and whole, f"Ctrl-C leaves a whole film: {err.strip()!r}")
+    failures.check(child.returncode in (FINE, CTRL_C) and whole, f"Ctrl-C leaves a whole film: {err.strip()!r}")
     failures.check(not list(folder.glob("*.part*")), "and no part of one")
 
 

@@ -21,8 +21,8 @@ target_link_libraries(game_host_test PRIVATE gw_command_line gw_replay gw_tables
   GTest::gtest_main)
 gtest_discover_tests(game_host_test)
 
-add_executable(game_files_test ${here}/locale_test.cpp)
-target_link_libraries(game_files_test PRIVATE gw_ui gw_profile_figures GTest::gtest_main)
+add_executable(game_files_test ${here}/files_test.cpp ${here}/locale_test.cpp)
+target_link_libraries(game_files_test PRIVATE gw_files gw_ui gw_profile_figures GTest::gtest_main)
 gtest_discover_tests(game_files_test)
 
 add_executable(failover_test ${here}/failover_test.cpp)

@@ -3,14 +3,17 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <random>
 
 #include "game/files/atomic_file.h"
-#include "game/processes/fed_process.h"
 #include "game/movie/film_file.h"
 #include "game/movie/frame_times.h"
+#include "game/movie/mp4_file.h"
 #include "game/movie/picture_folder.h"
+#include "game/processes/fed_process.h"
 #include "game/user_error.h"
 
 namespace gw::test {
@@ -110,7 +113,7 @@ class NoRoom {
 TEST_F(Folders, LeaveNoHalfPictureWhereThereIsNoRoom) {
   PictureFolder sink(folder_);
   const NoRoom full(2000);
-  EXPECT_NE(refusal([&] { sink.add(picture()); }).find("with room on its disk"), std::string::npos);
+  EXPECT_NE(refusal([&] { sink.add(picture()); }).find("make room"), std::string::npos);
   EXPECT_EQ(count(folder_), 0u);
 }
 
@@ -156,6 +159,121 @@ TEST_F(Folders, FilmsThatCannotBeSayWhyAndLeaveWhatStoodThere) {
   std::getline(std::ifstream(film), text);
   EXPECT_EQ(text, "what stood there");
   EXPECT_EQ(count(folder_), 1u);
+}
+
+// A program of that name is found before the real one while this lives.
+class Stand {
+ public:
+  Stand(const fs::path& folder, const std::string& script) : before_(std::getenv("PATH")) {
+    fs::create_directory(folder);
+    std::ofstream(folder / "ffmpeg") << "#!/bin/sh\n" + script + "\n";
+    fs::permissions(folder / "ffmpeg", fs::perms::all);
+    setenv("PATH", (folder.string() + ":" + before_).c_str(), 1);
+  }
+  ~Stand() { setenv("PATH", before_.c_str(), 1); }
+
+ private:
+  std::string before_;
+};
+
+// Asked what it can do it says nothing. Else: the last argument names the part.
+constexpr const char* kPart =
+    "case \"$*\" in *-encoders*) exit 0;; esac; for part; do :; done; part=${part#file:}; cat > /dev/null; ";
+
+std::string bytesOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_F(Folders, AnFfmpegThatMakesNoFilmIsNoticedAndTheEarlierFilmStays) {
+  const fs::path film = folder_ / "film.mp4", programs = folder_ / "programs";
+  std::ofstream(film) << "an earlier film";
+  std::string type = "printf '\\000\\000\\000\\020ftypisom\\000\\000\\002\\000' > \"$part\"; ";
+  const std::pair<std::string, std::vector<std::string>> cases[] = {
+      {"exit 0", {"ffmpeg ended well but wrote nothing to ", "a snap or Flatpak sees other folders", "apt install"}},
+      {"rm \"$part\"", {"ffmpeg ended well but wrote nothing to "}},
+      {"echo film > \"$part\"", {"ffmpeg ended well but what it wrote to ", "is not a film, whole"}},
+      {type, {"is not a film, whole"}},
+      {type + "printf '\\000\\000\\001\\000moov' >> \"$part\"", {"is not a film, whole"}},
+      {"echo '[out#0/mp4 @ 0x5] Error opening output x: No such file or directory' >&2; echo last >&2; exit 1",
+       {"(Error opening output x: No such file or directory)", "sees other folders"}},
+      {"echo 'x: Permission denied' >&2; exit 1", {"(x: Permission denied)", "sees other folders"}},
+      {"echo first; echo '[a @ 0x1] [b @ 0x2] w: No space left on device'; echo '[c @ 0x3] nothing was written'; exit "
+       "1",
+       {"(w: No space left on device)", "make room"}},
+      {"echo 'Unknown encoder'; echo 'Conversion failed!'; exit 1", {"(Unknown encoder): give a folder as --out"}},
+      {"exit 7", {"(it ended with 7): give a folder as --out"}},
+  };
+  for (const auto& [instead, says] : cases) {
+    const Stand stand(programs, kPart + instead);
+    const std::string said = refusal([&] {
+      FilmFile sink(film, {64, 48}, 60);
+      for (int i = 0; i < 3; ++i) sink.add(picture());
+      sink.finish();
+    });
+    for (const std::string& word : says) EXPECT_NE(said.find(word), std::string::npos) << instead << ": " << said;
+    EXPECT_EQ(said.find("0x"), std::string::npos) << said;
+    EXPECT_EQ(said.find("make room") != said.npos, instead.find("No space") != instead.npos) << said;
+    EXPECT_EQ(bytesOf(film), "an earlier film") << instead;
+    EXPECT_EQ(count(folder_), 2u) << instead << ": a part is left";
+  }
+}
+
+TEST_F(Folders, AFilmThatWasCutShortIsNone) {
+  if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  const fs::path film = folder_ / "film.mp4", cut = folder_ / "cut.mp4";
+  FilmFile sink(film, {64, 48}, 60);
+  for (int i = 0; i < 5; ++i) sink.add(picture());
+  sink.finish();
+  EXPECT_TRUE(isWholeMp4(film));
+  const std::string bytes = bytesOf(film);
+  for (size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 97) {
+    std::ofstream(cut, std::ios::binary) << bytes.substr(0, length);
+    EXPECT_FALSE(isWholeMp4(cut)) << length << " of " << bytes.size();
+  }
+  EXPECT_FALSE(isWholeMp4(folder_ / "none.mp4"));
+}
+
+// What a player shows is what was drawn. A film whose colours are said to be others than they are shows red as 232,0,1.
+void expectTrueColours(const fs::path& film) {
+  constexpr int kSide = 64;
+  constexpr uint8_t kColours[][3] = {{255, 0, 0},   {0, 255, 0},     {0, 0, 255},     {255, 255, 0}, {255, 0, 255},
+                                     {0, 255, 255}, {255, 255, 255}, {128, 128, 128}, {0, 0, 0},     {200, 60, 20}};
+  constexpr int kCount = int(std::size(kColours));
+  Image bars{{kSide * kCount, kSide}, {}};
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide * kCount; ++x) {
+      bars.rgb.insert(bars.rgb.end(), std::begin(kColours[x / kSide]), std::end(kColours[x / kSide]));
+    }
+  }
+  FilmFile sink(film, bars.size, 60);
+  for (int i = 0; i < 3; ++i) sink.add(bars);
+  sink.finish();
+  FedProcess decoder({"ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-i", film.string(), "-frames:v", "1",
+                      "-f", "rawvideo", "-pix_fmt", "rgb24", film.string() + ".rgb", "-y"});
+  ASSERT_EQ(decoder.wait(), 0) << decoder.output();
+  const std::string rgb = bytesOf(film.string() + ".rgb");
+  ASSERT_EQ(rgb.size(), bars.rgb.size());
+  for (int bar = 0; bar < kCount; ++bar) {
+    const size_t middle = (size_t(kSide / 2) * kSide * kCount + size_t(bar) * kSide + kSide / 2) * 3;
+    for (size_t channel = 0; channel < 3; ++channel) {
+      EXPECT_NEAR(int(uint8_t(rgb[middle + channel])), kColours[bar][channel], 5) << "bar " << bar << " of " << film;
+    }
+  }
+  FedProcess probe({"ffprobe", "-v", "error", "-select_streams", "v", "-show_entries",
+                    "stream=color_range,color_space,color_transfer,color_primaries", "-of", "csv=p=0", film.string()});
+  EXPECT_EQ(probe.wait(), 0);
+  EXPECT_EQ(probe.output(), "tv,bt709,bt709,bt709\n") << film;
+}
+
+TEST_F(Folders, FilmsShowTheColoursThatWereDrawn) {
+  if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  expectTrueColours(folder_ / "best.mp4");
+  FedProcess where({"sh", "-c", "command -v ffmpeg"});
+  ASSERT_EQ(where.wait(), 0);
+  const std::string real = where.output().substr(0, where.output().find('\n'));
+  const Stand poor(folder_ / "programs", "case \"$*\" in *-encoders*) exit 0;; esac; exec " + real + " \"$@\"");
+  expectTrueColours(folder_ / "mpeg4.mp4");
 }
 
 TEST(FedProcess, SaysThatAProgramIsNotThereAndHowItEnded) {

@@ -10,6 +10,7 @@
 #include "game/world_view.h"
 #include "render/screenshot.h"
 #include "tests/render/cuda_gl_fixture.h"
+#include "tests/render/image_compare.h"
 
 namespace gw {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -46,6 +47,13 @@ Image shiftedImage(const Image& image, int right_px) {
     }
   }
   return shifted;
+}
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+  const std::vector<uint8_t> bytes = encodePng(image);
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+  if (!file.flush()) throw std::runtime_error(path.string() + " cannot be written");
 }
 
 std::string compareWithGolden(const Image& image, const std::string& name) {

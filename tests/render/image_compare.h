@@ -23,7 +23,8 @@ inline constexpr double kMeanDifference = 0.25;
 ImageDifference compareImages(const Image& a, const Image& b);
 bool withinTolerance(const ImageDifference& difference);
 
-// Throws std::runtime_error when the file is not a readable PNG.
+// Both throw std::runtime_error: when the file cannot be written, and when it is not a readable PNG.
+void writePng(const std::filesystem::path& path, const Image& image);
 Image readPng(const std::filesystem::path& path);
 
 // The same picture moved to the right; the left edge is repeated.

@@ -1,15 +1,17 @@
 #include "game/profile/report/png.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
-#include "game/files/atomic_file.h"
 #include "game/files/part_file.h"
 #include "game/processes/fed_process.h"
+#include "game/processes/file_maker.h"
 #include "game/user_error.h"
 
 namespace gw::profile {
@@ -20,10 +22,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kZoom = "2";  // of the picture's own pixels, for screens of twice the resolution
 
-[[noreturn]] void fail(const fs::path& path, const std::string& why) {
-  throw UserError(ExitCode::failedRun,
-                  fmt::format("rsvg-convert could not make {} ({}): make room on the disk, or open the SVG beside it.",
-                              path.string(), why));
+constexpr FileMaker kRsvg = {"rsvg-convert", "librsvg2-bin", "open the SVG beside it"};
+
+[[noreturn]] void fail(const std::string& sentence) {
+  throw UserError(ExitCode::failedRun, sentence);
 }
 
 // None when it is not installed.
@@ -33,37 +35,31 @@ std::unique_ptr<FedProcess> start(const fs::path& path, const std::string& part)
         std::vector<std::string>{"rsvg-convert", "--format", "png", "--zoom", kZoom, "--output", part});
   } catch (const std::system_error& error) {
     if (error.code().value() == ENOENT) return nullptr;
-    fail(path, error.code().message());
+    fail(fmt::format("rsvg-convert, which makes {}, does not start ({}): {}.", path.string(), error.code().message(),
+                     kRsvg.otherwise));
   }
 }
 
-std::string lastLine(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  return text.substr(text.find_last_of('\n') + 1);
+// From its signature to its last chunk, which holds nothing.
+bool isWholePng(const std::string& bytes) {
+  using namespace std::string_view_literals;
+  return bytes.starts_with("\x89PNG\r\n\x1a\n"sv) && bytes.ends_with("\0\0\0\0IEND\xae\x42\x60\x82"sv);
 }
-
-// Gone unless it was renamed.
-struct Part {
-  std::string name;
-  ~Part() { unlink(name.c_str()); }
-};
 
 }  // namespace
 
 bool writePngOf(const std::string& svg, const fs::path& path) {
-  const fs::path target = writingDestination(path);
-  const Part part{fmt::format("{}.part-{}", target.string(), getpid())};
-  const auto converter = start(path, part.name);
+  PartFile part(path);
+  const auto converter = start(path, part.name());
   if (converter == nullptr) return false;
   const bool read = converter->write({reinterpret_cast<const uint8_t*>(svg.data()), svg.size()});
   const int code = converter->wait();
-  if (code != 0 || !read) {
-    const std::string words = lastLine(converter->output());
-    fail(path, words.empty() ? fmt::format("it ended with {}", code) : words);
-  }
-  std::error_code error;
-  fs::rename(part.name, target, error);
-  if (error) fail(path, error.message());
+  if (code != 0 || !read) fail(couldNotMake(kRsvg, path, converter->output(), code));
+  std::ifstream file(part.name(), std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  if (bytes.empty()) fail(madeNothing(kRsvg, path));
+  if (!isWholePng(bytes)) fail(madeSomethingElse(kRsvg, path, "a picture"));
+  part.become(Sync::later);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "game/files/atomic_file.h"
+#include "game/files/remedy.h"
 #include "game/profile/report/plots.h"
 #include "game/profile/report/png.h"
 #include "game/profile/report/report_html.h"
@@ -25,7 +26,7 @@ void makeFolder(const fs::path& folder) {
   const fs::file_status status = fs::status(folder, error);
   if (fs::exists(status) && !fs::is_directory(status)) refuse("it is a file; give the name of a folder");
   if (!fs::exists(status) && !fs::create_directory(folder, error) && error) {
-    refuse(error.message() + "; choose a folder inside one that exists and that you may write to");
+    refuse(becauseNoFolder(error.value()));
   }
 }
 

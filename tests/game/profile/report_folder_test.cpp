@@ -82,9 +82,33 @@ TEST_F(ReportFolder, AnRsvgConvertThatFailsIsSaidInASentence) {
   chmod(fake.c_str(), 0755);
   const Path own(folder_.c_str());
   const std::string said = refusal<UserError>([&] { writePngOf("<svg/>", folder_ / "a.png"); });
-  EXPECT_EQ(said, "rsvg-convert could not make " + (folder_ / "a.png").string() +
-                      " (out of paper): make room on the disk, or open the SVG beside it.");
+  EXPECT_EQ(said,
+            "rsvg-convert could not make " + (folder_ / "a.png").string() + " (out of paper): open the SVG beside it.");
   EXPECT_EQ(filesThere(), 1u) << "the program alone";
+}
+
+// What it does instead of drawing, and what the user is told.
+TEST_F(ReportFolder, AnRsvgConvertThatOnlySaysThatItDrewIsSaidInASentence) {
+  const std::filesystem::path fake = folder_ / "rsvg-convert", picture = folder_ / "a.png";
+  put(picture, "an earlier picture");
+  const Path own((folder_.string() + ":/usr/bin:/bin").c_str());
+  const std::pair<const char*, const char*> cases[] = {
+      {"exit 0", "rsvg-convert ended well but wrote nothing to "},
+      {"echo no picture > \"$6\"", "rsvg-convert ended well but what it wrote to "},
+      {"echo 'Error: No such file or directory' >&2; exit 1", "sees other folders"},
+      {"echo 'Error: Permission denied (os error 13)' >&2; exit 1", "sees other folders"},
+      {"echo 'Error: No space left on device' >&2; exit 1", "(Error: No space left on device): make room"},
+  };
+  for (const auto& [instead, says] : cases) {
+    put(fake, "#!/bin/sh\ncat > /dev/null\n" + std::string(instead) + "\n");
+    chmod(fake.c_str(), 0755);
+    const std::string said = refusal<UserError>([&] { writePngOf("<svg/>", picture); });
+    EXPECT_NE(said.find(says), std::string::npos) << instead << ": " << said;
+    EXPECT_NE(said.find("open the SVG beside it."), std::string::npos) << said;
+    EXPECT_EQ(said.find("make room") != said.npos, std::string(instead).find("No space") != std::string::npos) << said;
+    EXPECT_EQ(content(picture), "an earlier picture") << instead;
+    EXPECT_EQ(filesThere(), 2u) << instead;
+  }
 }
 
 TEST_F(ReportFolder, OneThatCannotBeIsRefusedBeforeASession) {
