@@ -39,7 +39,8 @@ std::string mainHelp() {
   text += "Usage: gpuwars [VERB] [OPTIONS]\n\nVerbs:\n";
   for (const VerbName& verb : kVerbs) text += fmt::format("  {:<9}{}\n", verb.name, verb.summary);
   text += "\n'gpuwars VERB --help' lists a verb's options; they mean the same under every verb.\n";
-  text += "Exit codes: 0 fine, 1 failed run (diff: they differ), 2 bad usage, 3 bad file, 4 desync.\n";
+  text += "Exit codes: 0 fine, 1 failed run (diff: they differ), 2 bad usage, 3 bad file, 4 desync;\n";
+  text += "128 + N: signal N ended the run early (130: Ctrl-C), and what there was of it is whole.\n";
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #include "game/command_line.h"
 #include "game/commands/commands.h"
+#include "game/interrupt.h"
 #include "game/replay/replay.h"
 #include "game/user_error.h"
 
@@ -56,7 +57,7 @@ ExitCode runVerb(const Options& options) {
 int fail(ExitCode code, std::string sentence) {
   std::replace(sentence.begin(), sentence.end(), '\n', ' ');  // one sentence is one line
   std::fprintf(stderr, "%s\n", sentence.c_str());
-  return int(code);
+  return exitStatus(int(code));
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ int main(int argc, char** argv) {
   std::signal(SIGCHLD, SIG_DFL);  // else the ends of programs that it starts may be kept from it
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is a write that fails, and is said in a sentence
   try {
-    return int(runVerb(parsed.options));
+    return exitStatus(int(runVerb(parsed.options)));
   } catch (const UserError& error) {
     return fail(error.code, error.what());
   } catch (const FileError& error) {

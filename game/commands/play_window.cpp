@@ -8,6 +8,7 @@
 #include "game/commands/player_settings.h"
 #include "game/commands/run_factory.h"
 #include "game/game_loop.h"
+#include "game/interrupt.h"
 #include "game/settings/settings_menu.h"
 #include "game/ui/format.h"
 #include "game/ui/game_over.h"
@@ -273,6 +274,7 @@ class PlaySession {
 }  // namespace
 
 ExitCode playWindow(const Options& options) {
+  catchInterrupts();  // before SDL, which would end the game as well, but keep to itself why
   return PlaySession(options).play();
 }
 

@@ -13,6 +13,7 @@
 #include "game/commands/replay_file.h"
 #include "game/device_choice.h"
 #include "game/game_loop.h"
+#include "game/interrupt.h"
 #include "game/practice.h"
 #include "game/ui/format.h"
 #include "game/ui/game_over.h"
@@ -281,6 +282,7 @@ class ReplaySession {
 }  // namespace
 
 ExitCode watchReplay(const Options& options) {
+  catchInterrupts();
   return ReplaySession(options).watch();
 }
 

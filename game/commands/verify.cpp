@@ -65,7 +65,7 @@ std::vector<Outcome> verifyAll(const Options& options, const DeviceChoice& devic
 
 void writeAsJson(const std::filesystem::path& path, const std::vector<Outcome>& outcomes) {
   nlohmann::ordered_json json;
-  json["exitCode"] = int(worst(outcomes));
+  json["exitCode"] = exitStatus(int(worst(outcomes)));
   json["cudaKernelsRun"] = cudaKernelsRun.load();
   json["replays"] = nlohmann::ordered_json::array();
   for (const Outcome& outcome : outcomes) json["replays"].push_back(outcomeJson(outcome));

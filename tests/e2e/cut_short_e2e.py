@@ -86,7 +86,7 @@ def main():
     part.unlink()
 
     # The polite way out is a whole recording.
-    failures.check(kill_while_recording(program, folder / "polite.gwr", signal.SIGTERM, 2) == FINE, "SIGTERM ends a game well")
+    failures.check(kill_while_recording(program, folder / "polite.gwr", signal.SIGTERM, 2) == 143, "SIGTERM ends a game well, and its exit status says so")
     accepted("its recording is whole", "verify", folder / "polite.gwr", "--device", "cpu")
     failures.check(not parts(folder / "polite.gwr"), "and nothing else is left")
 

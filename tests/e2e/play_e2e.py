@@ -81,7 +81,7 @@ def main():
         screen.wait_for(lambda pixels: lit(pixels) > 500)
         time.sleep(2)
         game.send_signal(signal.SIGTERM)
-        failures.check(game.wait(timeout=30) == 0 and run(program, "verify", killed)[0] == 0,
+        failures.check(game.wait(timeout=30) == 143 and run(program, "verify", killed)[0] == 0,
                        "a run ended by SIGTERM leaves a valid recording")
     finally:
         if game.poll() is None:

@@ -77,10 +77,10 @@ def in_a_window(program, folder, failures):
             failures.check(screen.wait_for(lambda pixels: lit(pixels) > 1500), f"{name}: a picture appears")
             return child
 
-        def over(name, child):
+        def over(name, child, code):
             stdout, stderr = child.communicate(timeout=120)
             report = report_in(folder / name)
-            failures.check(child.returncode == FINE and report["setup"]["interrupted"] and stderr == "",
+            failures.check(child.returncode == code and report["setup"]["interrupted"] and stderr == "",
                            f"{name}: leaves a report of what there was: {child.returncode} {stderr!r}")
             failures.check(report["setup"]["drawn"] == "window 640x400, effects off", f"{name}: {report['setup']['drawn']}")
             overall = report["cases"][0]["contenders"][0]["overall"]
@@ -91,11 +91,11 @@ def in_a_window(program, folder, failures):
         screen.picture("window.png")
         time.sleep(6)  # the warm-up takes 120 frames
         screen.keys("key", "Escape")
-        over("left", child)
+        over("left", child, FINE)
         child = start("interrupted", "--compare", "ngrid,grid")
         time.sleep(6)
         child.send_signal(signal.SIGINT)
-        over("interrupted", child)
+        over("interrupted", child, 128 + signal.SIGINT)
     finally:
         screen.close()
     code, _, stderr = run(program, "profile", "--device", "cpu", "--scene", "ramp", "--enemies", 100000, "--out", folder / "nowhere")

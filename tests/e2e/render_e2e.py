@@ -14,7 +14,7 @@ from pathlib import Path
 from program import Failures, run, skip, without_display
 
 FINE, FAILED, USAGE, BAD_FILE, DESYNC = range(5)
-CTRL_C = FAILED
+CTRL_C = 130
 SMALL = ("--width", 320, "--height", 200)
 
 
