@@ -166,7 +166,9 @@ class PlaySession {
       settingsBefore_ = settings_;
       menu_.emplace(settings_);
     }
-    if (before == Screen::settings && !(settings_ == settingsBefore_)) writePlayerSettings(settingsFile_, settings_);
+    if (before == Screen::settings && !(settings_ == settingsBefore_)) {
+      writePlayerSettings(settingsFile_, settingsBefore_, settings_);
+    }
   }
 
   void drawScreens(Canvas& canvas) {

@@ -23,9 +23,9 @@ Settings readPlayerSettings(SettingsFile& file) {
   return settings;
 }
 
-void writePlayerSettings(SettingsFile& file, const Settings& settings) {
+void writePlayerSettings(SettingsFile& file, const Settings& before, const Settings& now) {
   std::vector<std::string> sentences;
-  file.write(settings, sentences);
+  file.write(before, now, sentences);
   say(sentences);
 }
 

@@ -10,6 +10,6 @@ namespace gw {
 SettingsFile settingsFileOf(const Options& options);
 
 Settings readPlayerSettings(SettingsFile& file);
-void writePlayerSettings(SettingsFile& file, const Settings& settings);
+void writePlayerSettings(SettingsFile& file, const Settings& before, const Settings& now);
 
 }  // namespace gw

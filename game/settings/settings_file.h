@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,20 +20,21 @@ class SettingsFile {
   explicit SettingsFile(std::filesystem::path path) : path_(std::move(path)) {}
 
   // What is there, defaults for the rest. Adds one sentence for each thing that is wrong; none when there is no file.
-  Settings read(std::vector<std::string>& sentences);
+  Settings read(std::vector<std::string>& sentences) const;
 
-  // Writes the file whole or not at all. A file that had wrong values is first kept beside it as settings.toml.bad (or
-  // .bad-2 and so on). Adds a sentence when that was done, and one when nothing could be written.
-  void write(const Settings& settings, std::vector<std::string>& sentences);
+  // Reads the file again and puts into it what differs between `before` and `now`, and what an earlier write() could
+  // not; all else in it stays as somebody may have written it meanwhile. Writes it whole or not at all. A file that
+  // had wrong values, or that cannot be changed in its place, is first kept beside it as settings.toml.bad (or .bad-2
+  // and so on). Adds a sentence when that was done, and one when nothing could be written.
+  void write(const Settings& before, const Settings& now, std::vector<std::string>& sentences);
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path keepDamaged() const;
+  std::filesystem::path keepCopy() const;
 
   std::filesystem::path path_;
-  bool damaged_ = false;
-  std::vector<std::pair<std::string, std::string>> unknown_;
+  std::optional<Settings> unsavedSince_;  // the settings before the first change that is not in the file yet
 };
 
 }  // namespace gw

@@ -7,6 +7,7 @@
 
 #include "game/input/control_names.h"
 #include "game/settings/settings_fields.h"
+#include "game/settings/settings_lines.h"
 #include "game/tables/toml_library.h"
 
 namespace gw {
@@ -66,6 +67,11 @@ std::string inlineText(const toml::node& node) {
     for (const toml::node& item : *list) add(inlineText(item));
     return text.empty() ? "[]" : fmt::format("[{} ]", text);
   }
+  // The shortest text of a number: toml++ would make 0.69999999999999996 of 0.7.
+  if (const auto* number = node.as_floating_point()) {
+    text = fmt::format("{}", number->get());
+    return text.find_first_of(".en") == text.npos ? text + ".0" : text;
+  }
   std::ostringstream stream;
   node.visit([&](const auto& value) {
     if constexpr (toml::is_value<decltype(value)>) stream << value;
@@ -100,6 +106,7 @@ class Reader {
   void wrong(const toml::node& node, const std::string& key, const std::string& what) {
     complain(node, key, what);
     result_.damaged = true;
+    result_.wrong.push_back(key);
   }
 
   void readField(const SettingsField& field) {
@@ -256,8 +263,7 @@ ReadSettings readSettings(const std::string& text, const std::string& name) {
 }
 
 std::string writeSettings(const Settings& settings, const std::vector<std::pair<std::string, std::string>>& unknown) {
-  Settings values = settings;
-  std::string text = "# GpuWars. The settings screen writes this file; docs/settings.md says what each key means.\n";
+  std::string text = "# GpuWars. The settings screen changes this file; docs/settings.md says what each key means.\n";
   const auto addUnknown = [&](std::string_view section) {
     for (const auto& [where, line] : unknown) {
       if (where == section) text += line + "\n";
@@ -265,32 +271,15 @@ std::string writeSettings(const Settings& settings, const std::vector<std::pair<
   };
   addUnknown("");
   std::string open;
-  for (const SettingsField& field : settingsFields()) {
-    if (open != field.section) {
+  for (const SettingsLine& line : settingsLines(settings)) {
+    if (open != line.section) {
       if (!open.empty()) addUnknown(open);
-      open = field.section;
+      open = line.section;
       text += fmt::format("\n[{}]\n", open);
     }
-    text += field.flag ? fmt::format("{} = {}\n", field.key, *field.flag(values))
-                       : fmt::format("{} = {}\n", field.key, *field.number(values));
+    text += fmt::format("{} = {}\n", line.key, line.value);
   }
   addUnknown(open);
-  for (uint32_t device = 0; device < kInputDevices; ++device) {
-    text += fmt::format("\n[{}]\n", kBindingSections[device]);
-    for (uint32_t action = 0; action < kActions; ++action) {
-      std::string names;
-      for (const uint16_t code : settings.bindings.codes(InputDevice(device), Action(action))) {
-        std::string name;
-        for (const char c : controlName({InputDevice(device), code})) {
-          if (c == '"' || c == '\\') name += '\\';
-          name += c;
-        }
-        names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name);
-      }
-      text += fmt::format("{} = [{}]\n", actionName(Action(action)), names);
-    }
-    addUnknown(kBindingSections[device]);
-  }
   return text;
 }
 

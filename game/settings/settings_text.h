@@ -13,6 +13,7 @@ struct ReadSettings {
   std::vector<std::string> complaints;  // one sentence each
   // Something would be lost by writing these settings over the text they came from: it is no TOML, or a value is wrong.
   bool damaged = false;
+  std::vector<std::string> wrong;  // the keys of wrong values, as "sound.music"
   // Keys that this version does not know, as lines of TOML by section ("": before the first one).
   std::vector<std::pair<std::string, std::string>> unknown;
 };

@@ -38,9 +38,11 @@ class SettingsOnDisk : public ::testing::Test {
     said.clear();
     return file.read(said);
   }
-  void write(SettingsFile& file, const Settings& settings) {
+  // Everything that is not so by default.
+  void write(SettingsFile& file, const Settings& settings) { change(file, Settings(), settings); }
+  void change(SettingsFile& file, const Settings& before, const Settings& now) {
     said.clear();
-    file.write(settings, said);
+    file.write(before, now, said);
   }
 
   fs::path folder_, path_;
@@ -61,7 +63,7 @@ TEST_F(SettingsOnDisk, AreKeptInFoldersThatAreMade) {
   EXPECT_TRUE(said.empty()) << said.front();
   EXPECT_EQ(read(other), otherSettings());
   EXPECT_TRUE(said.empty());
-  write(other, Settings());
+  change(other, otherSettings(), Settings());
   EXPECT_EQ(read(file), Settings());
   EXPECT_EQ(size_t(std::distance(fs::directory_iterator(deep.parent_path()), fs::directory_iterator())), 1u);
 }
@@ -79,8 +81,9 @@ TEST_F(SettingsOnDisk, ADamagedFileIsKeptBesideTheNewOne) {
   EXPECT_EQ(content(folder_ / "settings.toml.bad"), "this is [ no TOML");
   EXPECT_EQ(read(file), otherSettings());
 
-  write(file, Settings());
+  change(file, otherSettings(), Settings());
   EXPECT_TRUE(said.empty()) << "once is enough";
+  EXPECT_EQ(read(file), Settings());
   EXPECT_EQ(filesThere(), 2u);
 }
 
@@ -115,7 +118,7 @@ TEST_F(SettingsOnDisk, AFullDiskKeepsTheOlderFileAndIsSaid) {
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     const rlimit small{100, before.rlim_max};
     setrlimit(RLIMIT_FSIZE, &small);
-    write(target, Settings());
+    change(target, otherSettings(), Settings());
     setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
   };
@@ -164,6 +167,99 @@ TEST_F(SettingsOnDisk, WhatIsNoPlainFileIsNamedAndLeftAlone) {
     EXPECT_EQ(said.size(), 1u) << path;
     EXPECT_FALSE(fs::is_regular_file(path));
   }
+}
+
+// The file while a game runs with what it held before.
+constexpr const char* kEdited = R"(# my own
+[sound]
+effects = 0.80  # as loud as it goes
+music = 0.3
+[keys]
+flush = ["Left Shift"]
+[smell]
+roses = 0.7
+)";
+
+TEST_F(SettingsOnDisk, WhatSomebodyWritesMeanwhileStays) {
+  SettingsFile file(path_);
+  const Settings before = read(file);
+  put(kEdited);
+  Settings now = before;
+  now.sound.effects = 0.85f;
+  change(file, before, now);
+  EXPECT_TRUE(said.empty()) << said.front();
+  std::string expected = kEdited;
+  expected.replace(expected.find("0.80"), 4, "0.85");
+  EXPECT_EQ(content(path_), expected) << "to the byte";
+  EXPECT_EQ(filesThere(), 1u) << "and no copy is needed";
+}
+
+TEST_F(SettingsOnDisk, TwoGamesChangeWhatEachOfThemChanges) {
+  SettingsFile first(path_), second(path_);
+  const Settings before = read(first);
+  Settings one = before, two = before, third = before;
+  one.sound.effects = 0.85f;
+  two.sound.music = 0.65f;
+  two.bindings.codes(InputDevice::keyboard, Action::flush) = {225};
+  change(first, before, one);
+  change(second, before, two);
+  third.sound.effects = 0.85f;
+  third.sound.music = 0.65f;
+  third.bindings = two.bindings;
+  EXPECT_EQ(read(first), third);
+  one.sound.muted = true;  // the first does not know of the second, and does not undo it
+  change(first, before, one);
+  third.sound.muted = true;
+  EXPECT_EQ(read(first), third);
+}
+
+TEST_F(SettingsOnDisk, WhatHeldForTheSessionOnlyIsNotSaved) {
+  SettingsFile file(path_);
+  Settings before = read(file);
+  before.fullscreen = true;  // --fullscreen
+  Settings now = before;
+  now.sound.music = 0.1f;
+  change(file, before, now);
+  EXPECT_FALSE(read(file).fullscreen);
+  EXPECT_EQ(read(file).sound.music, 0.1f);
+}
+
+TEST_F(SettingsOnDisk, WhatCouldNotBeSavedIsSavedWithTheNextChange) {
+  SettingsFile file(folder_ / "file" / "settings.toml");
+  std::ofstream(folder_ / "file") << "x";
+  const Settings start;
+  Settings first = start, second = start;
+  first.sound.music = second.sound.music = 0.1f;
+  second.sound.effects = 0.2f;
+  change(file, start, first);
+  EXPECT_EQ(said.size(), 1u);
+  fs::remove(folder_ / "file");
+  change(file, first, second);
+  EXPECT_TRUE(said.empty()) << said.front();
+  EXPECT_EQ(read(file), second);
+}
+
+TEST_F(SettingsOnDisk, PermissionsAndLinksStay) {
+  put(kEdited);
+  chmod(path_.c_str(), 0600);
+  const fs::path link = folder_ / "link.toml";
+  fs::create_symlink("settings.toml", link);
+  SettingsFile file(link);
+  const Settings before = read(file);
+  Settings now = before;
+  now.sound.muted = true;
+  change(file, before, now);
+  EXPECT_TRUE(said.empty()) << said.front();
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_NE(content(path_).find("muted = true"), std::string::npos);
+  EXPECT_EQ(fs::status(path_).permissions(), fs::perms(0600));
+  if (geteuid() != 0) return;
+  ASSERT_EQ(chown(path_.c_str(), 12, 34), 0);  // root plays, and the file stays its owner's
+  change(file, now, before);
+  struct stat facts {};
+  ASSERT_EQ(stat(path_.c_str(), &facts), 0);
+  EXPECT_EQ(facts.st_uid, 12u);
+  EXPECT_EQ(facts.st_gid, 34u);
 }
 
 TEST_F(SettingsOnDisk, WithoutAPlaceTheyHoldForTheSession) {

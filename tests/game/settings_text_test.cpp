@@ -328,6 +328,14 @@ RC_GTEST_PROP(SettingsText, AnyDamageLeavesSettingsThatCanBeWritten, ()) {
   RC_ASSERT(!again.damaged);
 }
 
+TEST(SettingsText, ANumberThatIsKeptIsTheNumberThatWasWritten) {
+  const ReadSettings read = readSettings("a = 0.7\nb = 1.0\nc = 1e300\nd = -inf\ne = 3\n[sound]\nmusic = 1.7\n", "s");
+  const std::vector<std::pair<std::string, std::string>> kept = {
+      {"", "a = 0.7"}, {"", "b = 1.0"}, {"", "c = 1e+300"}, {"", "d = -inf"}, {"", "e = 3"}};
+  EXPECT_EQ(read.unknown, kept);
+  EXPECT_NE(read.complaints.front().find("1.7 is not a number"), std::string::npos) << read.complaints.front();
+}
+
 TEST(SettingsText, WhatAnotherVersionUnderstandsIsKept) {
   const std::string text =
       "future = [1, 2]\n\"odd key\" = 'x'\n[smell]\nroses = true\n[smell.more]\nwhen = 07:32:00\n[[lists]]\na = 1\n"

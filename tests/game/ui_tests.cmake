@@ -16,7 +16,7 @@ target_link_libraries(game_ui_test PRIVATE gw_ui GTest::gtest_main)
 gtest_discover_tests(game_ui_test)
 
 if(GW_WINDOW)
-  add_executable(game_settings_test settings_file_test.cpp settings_menu_test.cpp settings_screen_test.cpp
+  add_executable(game_settings_test settings_edit_test.cpp settings_file_test.cpp settings_menu_test.cpp settings_screen_test.cpp
     settings_text_test.cpp)
   target_include_directories(game_settings_test SYSTEM PRIVATE ${GW_RAPIDCHECK_INCLUDE_DIR})
   target_link_libraries(game_settings_test PRIVATE gw_settings_screen ${GW_RAPIDCHECK_LIBRARY} GTest::gtest_main)
