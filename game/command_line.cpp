@@ -11,6 +11,7 @@
 
 #include "game/command_line_checks.h"
 #include "game/command_line_options.h"
+#include "game/command_line_text.h"
 #include "game/command_line_values.h"
 #include "game/replay/format.h"
 
@@ -39,9 +40,14 @@ std::string mainHelp() {
   text += "Usage: gpuwars [VERB] [OPTIONS]\n\nVerbs:\n";
   for (const VerbName& verb : kVerbs) text += fmt::format("  {:<9}{}\n", verb.name, verb.summary);
   text += "\n'gpuwars VERB --help' lists a verb's options; they mean the same under every verb.\n";
-  text += "Exit codes: 0 fine, 1 failed run (diff: they differ), 2 bad usage, 3 bad file, 4 desync;\n";
-  text += "128 + N: signal N ended the run early (130: Ctrl-C), and what there was of it is whole.\n";
-  return text;
+  std::string exits;
+  for (const ExitText& exit : kExitTexts) {
+    const char* before = exits.empty() ? "Exit codes: " : exit.code.size() == 1 ? ", " : ";
+";
+    exits += fmt::format("{}{} {}", before, exit.code, exit.meaning);
+  }
+  return text + exits + ".
+";
 }
 
 // The options of one verb, bound to `options`. Values are taken as text and read by command_line_values,
@@ -75,6 +81,7 @@ class VerbParser {
   }
 
   std::string help() const { return values_.help(verb_.summary); }
+  VerbText described() const { return {std::string(verb_.name), verb_.summary, values_.described()}; }
 
   bool knows(const std::string& option) const { return app_.get_option_no_throw(option) != nullptr; }
 
@@ -147,6 +154,28 @@ std::string joined(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
+
+const std::vector<OptionText> kHelpOptions = {
+    {"-h,--help", "", "print this help and exit", CommandLineValues::kUsualGroup},
+    {"--version", "", "print the version and exit", CommandLineValues::kUsualGroup},
+};
+const std::vector<ExitText> kExitTexts = {
+    {std::to_string(int(ExitCode::fine)), "fine"},
+    {std::to_string(int(ExitCode::failedRun)), "failed run (diff: they differ)"},
+    {std::to_string(int(ExitCode::badUsage)), "bad usage"},
+    {std::to_string(int(ExitCode::badFile)), "bad file"},
+    {std::to_string(int(ExitCode::desync)), "desync"},
+    {"128 + N", "signal N ended the run early (130: Ctrl-C), and what there was of it is whole"},
+};
+
+std::vector<VerbText> describeCommandLine() {
+  std::vector<VerbText> verbs;
+  for (const VerbName& verb : kVerbs) {
+    Options unused;
+    verbs.push_back(VerbParser(verb, unused).described());
+  }
+  return verbs;
+}
 
 ParsedCommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   ParsedCommandLine result;

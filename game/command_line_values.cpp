@@ -57,18 +57,28 @@ std::optional<T> parsed(const std::string& text) {
 
 }  // namespace
 
-void CommandLineValues::declare(const char* names, const char* help, const char* placeholder, const char* group,
+std::string CommandLineValues::Entry::name() const {
+  return option->get_positional() ? text.names : longName(text.names);
+}
+
+std::string CommandLineValues::Entry::shown() const {
+  if (text.value == OptionText::Value::none || text.value == OptionText::Value::files) return text.names;
+  return fmt::format(text.valueOptional ? "{} [{}]" : "{} {}", text.names, text.placeholder);
+}
+
+void CommandLineValues::declare(const char* names, const std::string& help, const std::string& placeholder,
+                                const char* group, OptionText::Value value,
                                 std::function<void(const std::string&)> take) {
   CLI::Option* option = app_.add_option_function<std::string>(names, [](const std::string&) {});
   option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  entries_.push_back(
-      {longName(names), option, std::move(take), 1, fmt::format("{} {}", names, placeholder), help, group});
+  entries_.push_back({{names, placeholder, help, group, value}, option, std::move(take)});
 }
 
 void CommandLineValues::flag(const char* name, const char* help, std::function<void()> take, const char* group) {
   CLI::Option* option = app_.add_flag(std::string(name))->disable_flag_override();
-  entries_.push_back(
-      {name, option, [take = std::move(take)](const std::string&) { take(); }, SIZE_MAX, name, help, group});
+  entries_.push_back({{name, "", help, group, OptionText::Value::none, SIZE_MAX},
+                      option,
+                      [take = std::move(take)](const std::string&) { take(); }});
 }
 
 void CommandLineValues::choice(const char* name, std::span<const Choice> choices, const char* help,
@@ -84,35 +94,37 @@ void CommandLineValues::choice(const char* name, std::span<const Choice> choices
     }
     throw UsageError(fmt::format("'{} {}' is not known; choose {}", name, text, now));
   };
-  declare(name, fmt::format("{} ({})", help, standard).c_str(), now.c_str(), group, read);
+  declare(name, fmt::format("{} ({})", help, standard), now, group, OptionText::Value::word, read);
 }
 
 void CommandLineValues::integer(const char* name, const char* help, uint64_t least, uint64_t most,
                                 std::function<void(uint64_t)> take, const char* group) {
-  declare(name, help, "N", group, [=, name = longName(name), take = std::move(take)](const std::string& text) {
+  const auto read = [=, name = longName(name), take = std::move(take)](const std::string& text) {
     const auto value = parsed<uint64_t>(text);
     if (!value || *value < least || *value > most) {
       throw UsageError(fmt::format("'{} {}' does not work; give a whole number from {} to {}", name, text,
                                    grouped(least), grouped(most)));
     }
     take(*value);
-  });
+  };
+  declare(name, help, "N", group, OptionText::Value::number, read);
 }
 
 void CommandLineValues::number(const char* name, const char* help, double least, double most,
                                std::function<void(double)> take) {
-  declare(name, help, "X", kUsualGroup, [=, name = std::string(name), take = std::move(take)](const std::string& text) {
+  const auto read = [=, name = std::string(name), take = std::move(take)](const std::string& text) {
     const auto value = parsed<double>(text);
     if (!value || !(*value >= least && *value <= most)) {
       throw UsageError(fmt::format("'{} {}' does not work; give a number from {} to {}", name, text, least, most));
     }
     take(*value);
-  });
+  };
+  declare(name, help, "X", kUsualGroup, OptionText::Value::number, read);
 }
 
 void CommandLineValues::path(const char* name, const char* help, const char* placeholder,
                              std::function<void(std::string)> take, const char* group) {
-  declare(name, help, placeholder, group, [name = std::string(name), take = std::move(take)](const std::string& text) {
+  const auto read = [name = std::string(name), take = std::move(take)](const std::string& text) {
     if (text.empty()) throw UsageError(fmt::format("'{}' has an empty name; give it a file name", name));
     if (text.starts_with("--")) {
       throw UsageError(
@@ -121,12 +133,13 @@ void CommandLineValues::path(const char* name, const char* help, const char* pla
                       name, text, text));
     }
     take(text);
-  });
+  };
+  declare(name, help, placeholder, group, OptionText::Value::path, read);
 }
 
 void CommandLineValues::text(const char* name, const char* help, const char* placeholder,
                              std::function<void(std::string)> take) {
-  declare(name, help, placeholder, kUsualGroup, std::move(take));
+  declare(name, help, placeholder, kUsualGroup, OptionText::Value::text, std::move(take));
 }
 
 void CommandLineValues::pathOrStdout(const char* name, const char* help, const char* placeholder,
@@ -134,7 +147,7 @@ void CommandLineValues::pathOrStdout(const char* name, const char* help, const c
   path(name, help, placeholder, std::move(take));
   Entry& entry = entries_.back();
   entry.option->expected(0, 1);
-  entry.shown = fmt::format("{} [{}]", name, placeholder);
+  entry.text.valueOptional = true;
   entry.take = [takePath = std::move(entry.take)](const std::string& text) { takePath(text.empty() ? "-" : text); };
 }
 
@@ -143,12 +156,18 @@ void CommandLineValues::files(const char* placeholder, const char* help, size_t 
   CLI::Option* option =
       app_.add_option_function<std::vector<std::string>>(placeholder, [](const std::vector<std::string>&) {});
   option->expected(0, -1);  // any number
-  entries_.push_back({placeholder, option,
+  entries_.push_back({{placeholder, placeholder, help, kFilesGroup, OptionText::Value::files, most},
+                      option,
                       [take = std::move(take)](const std::string& text) {
                         if (text.empty()) throw UsageError("a file name is empty; give the file's name");
                         take(text);
-                      },
-                      most, placeholder, help, kFilesGroup});
+                      }});
+}
+
+std::vector<OptionText> CommandLineValues::described() const {
+  std::vector<OptionText> texts;
+  for (const Entry& entry : entries_) texts.push_back(entry.text);
+  return texts;
 }
 
 std::string CommandLineValues::help(std::string_view summary) const {
@@ -156,11 +175,12 @@ std::string CommandLineValues::help(std::string_view summary) const {
   std::string files, text;
   std::vector<std::string> groups{kFilesGroup, kUsualGroup};
   for (const Entry& entry : entries_) {
-    if (std::find(groups.begin(), groups.end(), entry.group) == groups.end()) groups.push_back(entry.group);
-    if (entry.group != kFilesGroup) continue;
-    files = " " + entry.shown;
-    if (entry.most == 2) files += files;
-    if (entry.most > 2) files += "...";
+    const std::string& group = entry.text.group;
+    if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+    if (group != kFilesGroup) continue;
+    files = " " + entry.shown();
+    if (entry.text.most == 2) files += files;
+    if (entry.text.most > 2) files += "...";
   }
   if (files.empty()) groups.erase(groups.begin());
   const auto add = [&](const std::string& shown, const std::string& what) {
@@ -171,11 +191,10 @@ std::string CommandLineValues::help(std::string_view summary) const {
   for (const std::string& group : groups) {
     text += "\n" + group + ":\n";
     if (group == kUsualGroup) {
-      add("-h,--help", "print this help and exit");
-      add("--version", "print the version and exit");
+      for (const OptionText& option : kHelpOptions) add(option.names, option.help);
     }
     for (const Entry& entry : entries_) {
-      if (entry.group == group) add(entry.shown, entry.help);
+      if (entry.text.group == group) add(entry.shown(), entry.text.help);
     }
   }
   return fmt::format("{}\nUsage: gpuwars {} [OPTIONS]{}\n{}", summary, verb_, files, text);
@@ -203,12 +222,13 @@ void CommandLineValues::read() const {
   for (const Entry& entry : entries_) {
     std::vector<std::string> texts = entry.option->results();
     std::transform(texts.begin(), texts.end(), texts.begin(), unmarked);
-    if (texts.size() > entry.most) {
+    const size_t most = entry.text.most;
+    if (texts.size() > most) {
       if (entry.option->get_positional()) {
         throw UsageError(
-            fmt::format("'{}' is one file too many; give just {}", texts[entry.most], entry.most == 1 ? "one" : "two"));
+            fmt::format("'{}' is one file too many; give just {}", texts[most], most == 1 ? "one" : "two"));
       }
-      throw UsageError(fmt::format("'{}' is given more than once; keep one of them", entry.name));
+      throw UsageError(fmt::format("'{}' is given more than once; keep one of them", entry.name()));
     }
     for (const std::string& text : texts) entry.take(text);
   }

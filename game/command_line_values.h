@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "game/command_line_text.h"
+
 namespace gw {
 
 // One sentence with a remedy.
@@ -49,6 +51,9 @@ class CommandLineValues {
   // What stands without a dash: 1 to `most` files.
   void files(const char* placeholder, const char* help, size_t most, std::function<void(std::string)> take);
 
+  // All that was declared, in that order.
+  std::vector<OptionText> described() const;
+
   // What `--help` prints.
   std::string help(std::string_view summary) const;
 
@@ -62,14 +67,14 @@ class CommandLineValues {
 
  private:
   struct Entry {
-    std::string name;  // as messages show it
+    OptionText text;
     CLI::Option* option;
     std::function<void(const std::string&)> take;
-    size_t most;                     // values
-    std::string shown, help, group;  // as help() has them: names and placeholder; what it is; under which heading
+    std::string name() const;   // as messages show it
+    std::string shown() const;  // as help() shows it: names and placeholder
   };
-  void declare(const char* names, const char* help, const char* placeholder, const char* group,
-               std::function<void(const std::string&)> take);
+  void declare(const char* names, const std::string& help, const std::string& placeholder, const char* group,
+               OptionText::Value value, std::function<void(const std::string&)> take);
 
   // What CLI11 could not parse, in our words.
   [[noreturn]] void explain(const CLI::ParseError& error) const;
