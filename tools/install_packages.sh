@@ -18,9 +18,13 @@ check_packages=(
   xvfb xauth xdotool imagemagick
   clang libclang-rt-dev binutils python3 python3-jsonschema git util-linux
 )
-# Programs of the same names that show reports and encode films as players' do. Ubuntu has Chromium only as a snap; what
-# needs them is skipped and counted without them.
-optional_packages=(chromium ffmpeg)
+# Programs, and their packages, that show reports and encode films as players' do, and that look at packages as Debian does.
+# Ubuntu has Chromium only as a snap; what needs them is skipped and counted without them.
+declare -A optional_packages=(
+  [chromium]=chromium [ffmpeg]=ffmpeg
+  [dpkg-shlibdeps]=dpkg-dev [file]=file [lintian]=lintian [desktop-file-validate]=desktop-file-utils
+  [appstreamcli]=appstream [mandoc]=mandoc
+)
 
 case "${1:-}" in
   play) wanted=("${play_packages[@]}") ;;
@@ -44,8 +48,8 @@ for package in "${wanted[@]}"; do
 done
 optional=()
 if [[ "$1" == check ]]; then
-  for package in "${optional_packages[@]}"; do
-    command -v "$package" >/dev/null || optional+=("$package")
+  for program in "${!optional_packages[@]}"; do
+    command -v "$program" >/dev/null || optional+=("${optional_packages[$program]}")
   done
 fi
 if [[ ${#missing[@]} -eq 0 && ${#optional[@]} -eq 0 ]]; then

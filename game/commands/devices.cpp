@@ -4,6 +4,7 @@
 
 #include "game/commands/commands.h"
 #include "game/commands/json_output.h"
+#include "game/sim/kernel_target.h"
 #include "gpu/device_list.h"
 #include "render/gl_renderers.h"
 
@@ -44,6 +45,7 @@ Json toJson(const DeviceList& list, const std::vector<GlRenderer>& renderers) {
   json["cudaState"] = nameOf(list.cudaState);
   json["driver"] = {{"release", list.driverRelease}, {"supportsCuda", versionOrNull(list.driverVersion)}};
   json["builtWithCuda"] = versionOrNull(list.runtimeVersion);
+  json["cpuKernels"] = cpu::kernelTarget();
   json["devices"] = Json::array();
   for (const DeviceInfo& device : list.devices) json["devices"].push_back(toJson(device));
   json["renderers"] = Json::array();
@@ -59,6 +61,7 @@ void print(const DeviceList& list, const std::vector<GlRenderer>& renderers) {
     std::printf("%-7s %s, %s\n", kind.c_str(), device.name.c_str(), device.detail.c_str());
     if (!device.problem.empty()) std::printf("%-7s %s.\n", "", device.problem.c_str());
   }
+  std::printf("kernels of the cpu device: %s\n", cpu::kernelTarget());
   if (list.driverVersion != 0) {
     std::printf("driver  NVIDIA %s, for CUDA up to %s\n",
                 list.driverRelease.empty() ? "(release not known)" : list.driverRelease.c_str(),

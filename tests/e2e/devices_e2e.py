@@ -5,6 +5,7 @@ import sys
 import program as gpuwars
 
 CUDA_STATES = {"ready", "notBuilt", "noDriver", "driverTooOld", "noDevice", "deviceTooOld", "failed"}
+KERNELS = {"x86-64", "x86-64-v2", "x86-64-v3", "x86-64-v4", "aarch64", "other"}
 
 
 def check_facts(failures, facts):
@@ -18,6 +19,7 @@ def check_facts(failures, facts):
     failures.check(facts["autoWhy"].endswith("."), f"and why auto takes it: {facts['autoWhy']}")
     failures.check((facts["builtWithCuda"] is None) == (facts["cudaState"] == "notBuilt"),
                    f"the program's CUDA is {facts['builtWithCuda']}, the driver's {facts['driver']['supportsCuda']}")
+    failures.check(facts["cpuKernels"] in KERNELS, f"the processor's kernels are for {facts['cpuKernels']}")
     if facts["cudaState"] == "driverTooOld":
         failures.check(facts["builtWithCuda"] in facts["cudaMissing"], "an old driver is told what it lacks")
 
@@ -43,7 +45,7 @@ def main():
     failures.check(code == 0 and stderr == "", f"devices ends well and quietly: {code} {stderr!r}")
     lines = stdout.splitlines()
     failures.check(lines[-1] == f"auto takes {facts['auto']}: {facts['autoWhy']}", f"the last line: {lines[-1]}")
-    names = [thing["name"] for thing in facts["devices"] + facts["renderers"]]
+    names = [thing["name"] for thing in facts["devices"] + facts["renderers"]] + [facts["cpuKernels"]]
     failures.check(all(name in stdout for name in names), "whatever a script is told, people are told too")
 
     # EGL finds its drivers by these; so here it has none.

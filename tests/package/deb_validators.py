@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+"""What Debian's own tools say about the packages that deb_contents_e2e.py leaves.
+
+    deb_validators.py lintian|desktop|metainfo FOLDER       exit status 77: the tool is not here
+"""
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "e2e"))
+from program import Failures, skip  # noqa: E402
+
+# Each tool, what it looks at below FOLDER, and its options. lintian's informations, such as a missing watch file, are for
+# who uploads to Debian.
+TOOLS = {
+    "lintian": (["lintian", "--fail-on", "error,warning", "--display-level", ">=warning", "--allow-root"], "debs/*.deb"),
+    "desktop": (["desktop-file-validate"], "unpacked/usr/share/applications/*.desktop"),
+    "metainfo": (["appstreamcli", "validate", "--no-net"], "unpacked/usr/share/metainfo/*.xml"),
+}
+
+
+def main():
+    command, pattern = TOOLS[sys.argv[1]]
+    if not shutil.which(command[0]):
+        skip(f"{command[0]} is not installed")
+    files = sorted(map(str, Path(sys.argv[2]).glob(pattern)))
+    run = subprocess.run([*command, *files], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    failures = Failures()
+    failures.check(bool(files) and run.returncode == 0, f"{command[0]} on {len(files)} files: {run.returncode}\n{run.stdout}")
+    failures.finish()
+
+
+if __name__ == "__main__":
+    main()
