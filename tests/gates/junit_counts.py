@@ -6,20 +6,26 @@ could not run, such as one whose program is missing, is a failure.
 import sys
 import xml.etree.ElementTree as ElementTree
 
+STATES = ("passed", "failed", "skipped")
+
+
+def state_of(case):
+    skip = case.find("skipped")
+    if case.get("status") == "run" and skip is None and case.find("failure") is None:
+        return "passed"
+    if case.get("status") == "disabled" or (skip is not None and skip.get("message", "").startswith("SKIP_")):
+        return "skipped"
+    return "failed"
+
+
+def cases(path):
+    """(name, state) of each test."""
+    return [(case.get("name"), state_of(case)) for case in ElementTree.parse(path).getroot().iter("testcase")]
+
 
 def counts(path):
-    passed = failed = skipped = 0
-    for case in ElementTree.parse(path).getroot().iter("testcase"):
-        skip = case.find("skipped")
-        if case.get("status") == "run" and skip is None and case.find("failure") is None:
-            passed += 1
-        elif case.get("status") == "disabled":
-            skipped += 1
-        elif skip is not None and skip.get("message", "").startswith("SKIP_"):
-            skipped += 1
-        else:
-            failed += 1
-    return passed, failed, skipped
+    states = [state for _name, state in cases(path)]
+    return tuple(states.count(state) for state in STATES)
 
 
 if __name__ == "__main__":
