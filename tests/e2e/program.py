@@ -32,6 +32,16 @@ def run(program, *arguments, environment=None, timeout=300):
     return result.returncode, result.stdout.decode(errors="replace"), result.stderr.decode(errors="replace")
 
 
+def has_terminals():
+    """Whether a pseudo-terminal can be had: a minimal root has none before devpts is mounted."""
+    try:
+        for side in os.openpty():
+            os.close(side)
+    except OSError:
+        return False
+    return True
+
+
 def saved_settings(path):
     """A settings file as the game writes it: there every value of TOML is one of JSON too."""
     sections = {}
