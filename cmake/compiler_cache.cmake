@@ -1,6 +1,8 @@
-# ccache in front of both compilers when it is there: a rebuild after a branch switch is then cheap.
+# ccache in front of both compilers when it is there: a rebuild after a branch switch is then cheap. It takes what a file
+# has read from the compiler (depend mode) instead of preprocessing everything once more, and accepts precompiled headers.
 find_program(GW_CCACHE ccache)
 if(GW_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${GW_CCACHE})
-  set(CMAKE_CUDA_COMPILER_LAUNCHER ${GW_CCACHE})
+  set(gw_launcher env CCACHE_DEPEND=true CCACHE_SLOPPINESS=pch_defines,time_macros ${GW_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${gw_launcher})
+  set(CMAKE_CUDA_COMPILER_LAUNCHER ${gw_launcher})
 endif()

@@ -95,7 +95,7 @@ class CompileCommand:
         self.folder = Path(entry["directory"])
         self.file = Path(entry["file"])
         words = shlex.split(entry["command"]) if "command" in entry else list(entry["arguments"])
-        if Path(words[0]).name in ("ccache", "sccache"):
+        while Path(words[0]).name in ("env", "ccache", "sccache") or re.match(r"\w+=", words[0]):
             words = words[1:]
         self.compiler = words[0]
         self.object = None
