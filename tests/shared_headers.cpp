@@ -1,0 +1,1 @@
+// Nothing but the precompiled header of this target, which test programs reuse: see shared_headers.cmake.
