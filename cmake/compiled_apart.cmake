@@ -5,8 +5,9 @@ function(gw_compiled_apart target) # file.cpp...
   if(TARGET ${target})
     get_target_property(folder ${target} SOURCE_DIR)
     get_target_property(binaries ${target} BINARY_DIR)
+    string(REGEX REPLACE "_cpu$" "" kernels ${target})  # where gw_add_kernels() writes what includes a .cu
     foreach(file IN LISTS ARGN)
-      set_source_files_properties(${folder}/${file} ${binaries}/cpu/${file}.cpp TARGET_DIRECTORY ${target}
+      set_source_files_properties(${folder}/${file} ${binaries}/${kernels}/cpu/${file}.cpp TARGET_DIRECTORY ${target}
         PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endforeach()
   endif()
