@@ -63,6 +63,10 @@ function(gw_add_kernels name)
       cmake_language(DEFER CALL set CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
       cmake_language(DEFER CALL set CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
     endif()
+    if(GW_CUDA_NEEDS_MATH AND NOT GW_CUDA_STAND_IN)
+      target_compile_options(${name}_cuda PRIVATE
+        "SHELL:-Xcompiler -include -Xcompiler ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/cuda_math.h")
+    endif()
     set_target_properties(${name}_cuda PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF
       CUDA_RUNTIME_LIBRARY Static)
     target_compile_definitions(${name}_cuda PRIVATE GW_DEVICE=cuda)

@@ -22,7 +22,8 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/gpuwarsConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/gpuwarsConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/gpuwarsConfig.cmake ${PROJECT_BINARY_DIR}/package/gpuwarsConfigVersion.cmake
-  ${PROJECT_SOURCE_DIR}/cmake/cuda_language.cmake ${PROJECT_SOURCE_DIR}/cmake/gw_add_kernels.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/cuda_host_compiler.cmake ${PROJECT_SOURCE_DIR}/cmake/cuda_language.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/cuda_math.h ${PROJECT_SOURCE_DIR}/cmake/gw_add_kernels.cmake
   DESTINATION ${gw_package_folder} COMPONENT gpu)
 
 # For whoever builds without CMake. The prefix is found from where the file lies, so that the folder may be moved.

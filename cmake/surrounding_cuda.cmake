@@ -3,10 +3,12 @@
 # kernels that gw_add_kernels() compiles are in folders of that project. Sets GW_HAVE_CUDA.
 get_property(gw_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
 set(GW_HAVE_CUDA OFF)
+set(GW_CUDA_MISSING "the project around it had not enabled CUDA with nvcc when it was configured")
 if("CUDA" IN_LIST gw_languages AND CMAKE_CUDA_COMPILER_ID STREQUAL "NVIDIA")
   if(GW_CUDA OR NOT DEFINED GW_CUDA)
     find_package(CUDAToolkit REQUIRED)
     set(GW_HAVE_CUDA ON)
+    set(GW_CUDA_MISSING "")
   endif()
 elseif(GW_CUDA)
   message(FATAL_ERROR "GW_CUDA is on, and the project that contains gpuwars has not enabled CUDA with nvcc before: "

@@ -37,6 +37,12 @@ DeviceChoice chooseDevice(DeviceOption option) {
   return {.cuda = false, .why = list.cudaMissing + " The cpu device plays the same game."};
 }
 
+void sayWhy(const DeviceChoice& device) {
+  if (device.why.empty()) return;
+  std::printf("%s\n", device.why.c_str());
+  std::fflush(stdout);
+}
+
 std::unique_ptr<Simulation> makeSimulation([[maybe_unused]] const DeviceChoice& device,
                                            const SimulationConfig& config) {
 #ifdef GW_HAVE_CUDA

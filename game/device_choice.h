@@ -22,6 +22,9 @@ struct DeviceChoice {
 // Throws UserError when --device cuda is asked for and no such device answers.
 DeviceChoice chooseDevice(DeviceOption option);
 
+// Tells the player, on stdout, why it is not a GPU that plays; says nothing when one does or was not wanted.
+void sayWhy(const DeviceChoice& device);
+
 // Makes the game on the chosen device. Throws UserError when the device cannot hold it; but when `auto` chose cuda, and
 // cuda fails at the start, says so on stderr and takes the cpu.
 std::unique_ptr<Simulation> makeSimulation(const DeviceChoice& device, const SimulationConfig& config);

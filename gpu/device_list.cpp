@@ -55,7 +55,7 @@ void addCudaDevices(DeviceList& list) {
 #else
 void addCudaDevices(DeviceList& list) {
   list.cudaState = CudaState::notBuilt;
-  list.cudaMissing = "This build has no cuda device (nvcc was not found when it was configured).";
+  list.cudaMissing = "This build has no cuda device: " GW_CUDA_MISSING ".";
 }
 #endif
 

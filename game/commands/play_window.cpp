@@ -48,6 +48,7 @@ class PlaySession {
         settings_(readPlayerSettings(settingsFile_)),
         loop_(options, settings_),
         mode_(options.mode) {
+    sayWhy(factory_.device());
     // Whoever names a bot or a length wants to see that run, not the title.
     const bool atOnce = options.autopilot != Autopilot::none || options.ticks > 0;
     screen_ = atOnce ? Screen::play : Screen::title;

@@ -127,7 +127,7 @@ ExitCode profileGame(const Options& options) {
   const DeviceChoice device = chooseDevice(options.device);
   SimulationConfig computing;
   setComputing(computing, options);
-  if (!device.why.empty()) std::printf("%s\n", device.why.c_str());
+  sayWhy(device);
   Session session(std::move(plan), computing, findAssetFolder(options.assetsDir),
                   [device](const SimulationConfig& config) { return makeSimulation(device, config); });
   Outputs outputs(options, options.outPath);

@@ -71,6 +71,7 @@ class ReplaySession {
     setComputingOf(config_, options, options.files.front().string());
     config_.particles = true;
     if (config_.mode == Mode::practice) requests_ = requestsOf(replay_, config_.rules);
+    sayWhy(device_);
     // Bit for bit the same game on any device: the scout leaves the GPU to the picture.
     viewer_.emplace(replay_, makeLastingSimulation(device_, config_),
                     [config = scoutConfig(config_)] { return cpu::makeSimulation(config); });

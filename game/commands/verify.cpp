@@ -82,7 +82,7 @@ ExitCode verifyReplays(const Options& options) {
     if (!path.empty() && path != "-") checkWritable(path);  // before an hour of work
   }
   const bool quiet = hashes.isStdout() || options.jsonPath == "-";
-  if (!quiet && !device.why.empty()) std::printf("%s\n", device.why.c_str());
+  if (!quiet) sayWhy(device);
 
   const std::vector<Outcome> outcomes = verifyAll(options, device, quiet);
 

@@ -34,7 +34,8 @@ def check_files(failures, source, build, prefix):
     wanted = {path.relative_to(build).as_posix() for path in (build / "include/gpuwars").rglob("*.h")}
     wanted |= {f"{library}/libgw_gpu_{part}.a" for part in ["host", *devices]} | {f"{library}/pkgconfig/gpuwars.pc"}
     wanted |= {package + name for name in ("gpuwarsConfig.cmake", "gpuwarsConfigVersion.cmake", "gpuwarsTargets.cmake",
-                                           "cuda_language.cmake", "gw_add_kernels.cmake")}
+                                           "cuda_host_compiler.cmake", "cuda_language.cmake", "cuda_math.h",
+                                           "gw_add_kernels.cmake")}
     others = {path for path in files - wanted if not path.startswith(package + "gpuwarsTargets-")}
     failures.check(files >= wanted and not others,
                    f"headers, libraries, package; missing {sorted(wanted - files)}, too much {sorted(others)}")
