@@ -86,7 +86,26 @@ def main():
     with_assets("missing shader", lambda a: (a / "shaders/text.frag").unlink(), *picture, says=["text.frag"])
     with_assets("missing font", lambda a: (a / "fonts/neon.json").unlink(), *picture, says=["neon.json"])
     with_assets("damaged font", lambda a: (a / "fonts/neon.png").write_bytes(b"no"), *picture, says=["neon.png"])
-    refused("no assets at all", FILE, *short, "--assets", nowhere, says=["nowhere"])
+    with_assets("older assets", lambda a: (a / "version").write_text("0.0.9\n"), *short,
+                says=[str(folder / "assets"), "0.0.9", "reinstall", "--assets"])
+    with_assets("assets of no version", lambda a: (a / "version").unlink(), *short, says=["version", "reinstall"])
+    with_assets("a version that is none", lambda a: (a / "version").write_bytes(b"\x1b[0m" * 99), *short,
+                says=["does not say of which version"])
+    with_assets("older assets for a picture", lambda a: (a / "version").write_text("9.9.9\n"), "render", good, "--out",
+                folder / "frame.png", says=["9.9.9"])
+    refused("no assets at all", FILE, *short, "--assets", nowhere, says=["nowhere", "reinstall", "--assets"])
+    refused("a file for assets", FILE, *short, "--assets", good, says=[good.name, "no folder of assets"])
+
+    # A program that was moved away from its assets.
+    lonely = folder / "lonely/bin/gpuwars"
+    lonely.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy(program, lonely)
+    shutil.rmtree(lonely.parent / "assets", ignore_errors=True)
+    shutil.copytree(assets, lonely.parent / "assets")
+    (lonely.parent / "assets/version").write_text("0.0.1\n")
+    code, _, stderr = run(lonely, *short)
+    failures.check(code == FILE and str(lonely.parent / "assets") in stderr and "0.0.1" in stderr,
+                   f"the assets beside the program are taken, and looked at: {stderr.strip()}")
 
     code, stdout, _ = run(program, "devices", "--json", "-")
     devices = json.loads(stdout)
