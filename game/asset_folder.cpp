@@ -36,7 +36,8 @@ fs::path checked(const fs::path& folder) {
   if (!fs::is_directory(folder, ignored)) refuse("There is no folder of assets at " + name);
   const std::string version = versionOf(folder);
   if (version == GW_VERSION) return folder;
-  if (version.empty()) refuse(name + " does not say of which version its assets are, and this program needs " GW_VERSION);
+  if (version.empty())
+    refuse(name + " does not say of which version its assets are, and this program needs " GW_VERSION);
   refuse(name + " holds the assets of gpuwars " + version + ", and this program is gpuwars " GW_VERSION);
 }
 
