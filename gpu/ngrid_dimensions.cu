@@ -119,8 +119,7 @@ NDimensions chooseWindowDimensions(uint32_t n, Float3 size) {
     return larger(count, rest);
   };
   if (axes == 2) {
-    // Without a height all stand in one row; in one place they are as well off in a square as in any other shape.
-    const double wanted = y > 0.0 ? std::sqrt(double(n) * (x / y)) : x > 0.0 ? double(n) : std::sqrt(double(n));
+    const double wanted = y > 0.0 ? std::sqrt(double(n) * (x / y)) : double(n);  // without a height: one row
     const uint32_t columns = fitting(wanted + 0.5, divideUp(n, longest));
     return {columns, divideUp(n, columns)};
   }

@@ -81,8 +81,7 @@ TYPED_TEST(FlatBoxes, HaveFewLinesAlongAnAxisWithoutALength) {
     const cpu::NDimensions exact = cpu::chooseDimensions(data.n, data.size, 3.0f);
     const cpu::NDimensions window = cpu::chooseWindowDimensions(data.n, data.size);
     ASSERT_GE(window.cells(), data.n);
-    if (data.thick == 0) return;  // in one place no axis is shorter than another
-    if (!inX) {
+    if (!inX && data.thick != 0) {
       EXPECT_EQ(window.columns, 1u);
     }
     if (!inY) {
