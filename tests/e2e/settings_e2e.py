@@ -106,6 +106,22 @@ def main():
         moves = {tick[:2] for tick in ticks(folder / "screen.gwr")}
         failures.check(moves == {(0, 0), (-FULL, 0)}, f"E moves left: {moves}")
 
+        # An editor at work meanwhile: what is changed on the screen is changed in its text, and nothing else.
+        settings.write_text("[sound]\nmusic = 0.50\n")
+        settings.chmod(0o600)
+        game = start(folder / "meanwhile.gwr")
+        edited = '# my own\n[sound]\nmusic = 0.50 # as at home\n[keys]\nflush = ["Left Shift"]\n'
+        settings.write_text(edited)
+        screen.keys("key", "o")
+        time.sleep(0.5)
+        screen.keys("key", "--delay", "100", "Down", "Right")
+        time.sleep(0.5)
+        screen.keys("key", "Escape")
+        time.sleep(0.5)
+        failures.check(settings.read_text() == edited.replace("0.50", "0.55"), f"both are there: {settings.read_text()!r}")
+        failures.check(settings.stat().st_mode & 0o777 == 0o600, "and nobody else may read it now either")
+        failures.check(leave(game) == "", "nothing has to be said")
+
         # A file that is no TOML costs a sentence, not the game.
         settings.write_text("[keys\nmove_up = \n")
         game = start(folder / "broken.gwr")

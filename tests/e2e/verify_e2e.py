@@ -5,6 +5,7 @@
 """
 import json
 import os
+import re
 import shutil
 import signal
 import stat
@@ -88,7 +89,9 @@ def main():
     time.sleep(1.5)
     os.killpg(child.pid, signal.SIGINT)
     _, stderr = child.communicate(timeout=60)
-    failures.check(child.returncode == 130 and "interrupted after" in stderr, f"Ctrl-C is said as such: {stderr.strip()!r}")
+    # In the middle of an answer of the reference where the machine is busy.
+    failures.check(child.returncode == 130 and re.search("interrupted (after|while)", stderr),
+                   f"Ctrl-C is said as such: {child.returncode} {stderr.strip()!r}")
 
     # One that hangs, and does not end by itself either.
     hangs = script(folder / "hangs", "trap '' TERM; echo '{\"gpuwarsProbe\":1,\"name\":\"x\"}'; while true; do sleep 1; done\n")
