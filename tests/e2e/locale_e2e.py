@@ -5,6 +5,7 @@
 """
 import csv
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -20,7 +21,7 @@ NAME = "de_DE.UTF-8"
 def with_commas(folder, preload):
     """The environment of a program with decimal commas, or none."""
     environment = {**without_display(), "LC_ALL": NAME, "LOCPATH": str(folder), "LD_PRELOAD": str(preload),
-                   "ASAN_OPTIONS": "verify_asan_link_order=0"}
+                   "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0"}
     made = shutil.which("localedef") and subprocess.run(
         ["localedef", "-i", "de_DE", "-f", "UTF-8", folder / NAME], stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL).returncode in (0, 1)
