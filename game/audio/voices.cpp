@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace gw {
 
@@ -45,6 +46,8 @@ float killPitch(const Rules& rules, uint32_t type) {
 
 const std::vector<VoiceStart>& Voices::hear(const TickReport& report, const Rules& rules) {
   starts_.clear();
+  cutOffSlot_ = (cutOffSlot_ + 1) % kCutOff_ticks;
+  for (auto& slots : cutOff_) slots[cutOffSlot_] = 0;
   hearEvent(SoundEvent::over, Sound::over, report);
   hearEvent(SoundEvent::contact, Sound::contact, report);
   hearEvent(SoundEvent::flush, Sound::flush, report);
@@ -115,7 +118,8 @@ void Voices::hearKills(const TickReport& report, const Rules& rules) {
 }
 
 float Voices::used(Bus bus) const {
-  float sum = 0;
+  const auto& slots = cutOff_[uint32_t(bus)];
+  float sum = std::accumulate(slots.begin(), slots.end(), 0.0f);
   for (const Voice& voice : voices_) {
     if (voice.busy && traitsOf(voice.sound).bus == bus) sum += voice.gain * voice.peak;
   }
@@ -149,6 +153,9 @@ bool Voices::start(Sound sound, Side side, uint32_t count, float pitch) {
   const SoundTraits& traits = traitsOf(sound);
   const uint32_t voice = takeVoice(traits.bus);
   if (voice == kVoices) return false;
+  if (const Voice& cut = voices_[voice]; cut.busy) {
+    cutOff_[uint32_t(traitsOf(cut.sound).bus)][cutOffSlot_] += cut.gain * cut.peak;
+  }
   voices_[voice].busy = false;
   const float headroom = traits.bus == Bus::work ? kWorkHeadroom : kAlarmHeadroom;
   const float free = std::max(0.0f, headroom - used(traits.bus));

@@ -26,6 +26,9 @@ class Voices {
  public:
   static constexpr uint32_t kVoices = 24;
   static constexpr uint32_t kMostKillStarts = 4;  // a tick; the others wait and sound together
+  // A voice that is cut off keeps its head room for so long: OpenAL fades it out (over 64 samples, since 1.20) while
+  // its successor already plays, and both begin with the device's next update, which may be 40 ms away.
+  static constexpr uint32_t kCutOff_ticks = 3;
 
   // The starts of one tick, the most important first. Valid until the next call.
   const std::vector<VoiceStart>& hear(const TickReport& report, const Rules& rules);
@@ -38,7 +41,7 @@ class Voices {
   void reached(uint32_t voice, float position_s);
   void ended(uint32_t voice) { voices_[voice].busy = false; }
   bool busy(uint32_t voice) const { return voices_[voice].busy; }
-  float used(Bus bus) const;  // of the bus's head room
+  float used(Bus bus) const;  // of the bus's head room, by what sounds or was just cut off
 
  private:
   struct Voice {
@@ -64,6 +67,8 @@ class Voices {
 
   Peaks peaks_;
   std::array<Voice, kVoices> voices_{};
+  std::array<std::array<float, kCutOff_ticks>, uint32_t(Bus::count)> cutOff_{};  // in each of the last ticks
+  uint32_t cutOffSlot_ = 0;                                                      // of this tick
   std::array<std::array<Waiting, kPans>, uint32_t(SoundEvent::count)> events_{};
   std::array<std::array<Waiting, kPans>, kMaxEnemyTypes> kills_{};
   std::vector<VoiceStart> starts_;

@@ -213,6 +213,26 @@ TEST(Voices, FadingSoundsGiveTheirHeadRoomBack) {
   EXPECT_EQ(voices.used(Bus::work), 0);
 }
 
+// OpenAL fades it out while what took its voice already plays.
+TEST(Voices, WhatIsCutOffKeepsItsHeadRoomForAMoment) {
+  Voices voices;
+  uint32_t tick = 1;
+  for (uint32_t started = 0; started < Voices::kVoices; tick += 10) {
+    started += uint32_t(voices.hear(with(tick, SoundEvent::shot), gameRules()).size());
+    for (uint32_t rest = 1; rest < 10; ++rest) voices.hear(quietTick(tick + rest), gameRules());
+  }
+  const float before = voices.used(Bus::work);
+  const auto cutting = voices.hear(with(tick, SoundEvent::contact), gameRules());
+  ASSERT_EQ(cutting.size(), 1u);
+  for (uint32_t passed = 1; passed < Voices::kCutOff_ticks; ++passed) {
+    EXPECT_FLOAT_EQ(voices.used(Bus::work), before) << passed;
+    voices.hear(quietTick(tick + passed), gameRules());
+  }
+  EXPECT_FLOAT_EQ(voices.used(Bus::work), before);
+  voices.hear(quietTick(tick + Voices::kCutOff_ticks), gameRules());
+  EXPECT_LT(voices.used(Bus::work), before * 0.9f) << "the oldest was the loudest";
+}
+
 TEST(KillPitch, FallsWithMassAndDiffersForEveryType) {
   const Rules& rules = gameRules();
   std::map<float, float> massByPitch;
