@@ -1,6 +1,7 @@
 #include "render/egl_choice.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace gw {
@@ -16,6 +17,12 @@ bool hasExtension(std::string_view extensions, std::string_view name) {
 
 bool EglPlace::software() const {
   return hasExtension(extensions, "EGL_MESA_device_software");
+}
+
+bool softwareRenderer(std::string_view name) {
+  constexpr std::string_view kNames[] = {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer", "SwiftShader"};
+  return std::any_of(std::begin(kNames), std::end(kNames),
+                     [&](std::string_view part) { return name.find(part) != name.npos; });
 }
 
 std::vector<size_t> eglOrder(const std::vector<EglPlace>& places, std::optional<int> cudaDevice) {

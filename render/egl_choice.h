@@ -21,6 +21,9 @@ struct EglPlace {
 // Whole words: one extension's name may begin another's.
 bool hasExtension(std::string_view extensions, std::string_view name);
 
+// Whether a processor draws, by what OpenGL calls its renderer: not every such device has EGL's extension for it.
+bool softwareRenderer(std::string_view name);
+
 // The places in the order in which to try them. When CUDA computes, its own device comes first, for only there frames
 // stay on the GPU. Then the surfaceless platform, then devices as EGL lists them: beside an NVIDIA GPU the surfaceless
 // platform may give Mesa, or nothing.

@@ -6,21 +6,25 @@
 #include <utility>
 
 #include "render/egl_session.h"
+#include "render/gl_environment.h"
 #include "render/gl_objects.h"
+#include "render/quiet_stderr.h"
 
 namespace gw {
 namespace {
 
 EglSession openEgl(std::optional<int> cudaDevice) {
+  const QuietStderr quiet;  // a driver that gives nothing says so in lines of its own; another may give what is needed
   const std::vector<EglPlatform> platforms = listEglPlatforms();
   std::vector<EglPlace> places;
   for (const EglPlatform& platform : platforms) places.push_back(platform.place);
   for (const size_t i : eglOrder(places, cudaDevice)) {
     if (auto session = EglSession::open(platforms[i])) return std::move(*session);
   }
-  throw std::runtime_error(
-      "No OpenGL 4.5 without a display here: install the graphics driver's EGL library (or Mesa's libegl-mesa0 and "
-      "libgl1-mesa-dri), or use a verb that draws nothing.");
+  throw std::runtime_error("No OpenGL 4.5 without a display here: " +
+                           glRemedy("install the graphics driver's EGL library (or Mesa's libegl-mesa0 and "
+                                    "libgl1-mesa-dri)") +
+                           ", or use a verb that draws nothing.");
 }
 
 class EglContext final : public GlContext {

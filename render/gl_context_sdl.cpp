@@ -7,13 +7,15 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "render/gl_environment.h"
+
 namespace gw {
 namespace {
 
-std::runtime_error displayError(const char* what) {
-  return std::runtime_error(std::string(what) + " (" + SDL_GetError() +
-                            "): start GpuWars in a desktop session with an up-to-date graphics driver, or run with "
-                            "--headless.");
+constexpr const char* kDesktop = "start GpuWars in a desktop session with an up-to-date graphics driver";
+
+std::runtime_error displayError(const char* what, const std::string& remedy = kDesktop) {
+  return std::runtime_error(std::string(what) + " (" + SDL_GetError() + "): " + remedy + ", or run with --headless.");
 }
 
 // SDL counts how often its video was started, so that this ends only what it began.
@@ -56,10 +58,10 @@ class SdlContextImpl final : public SdlContext {
     if (options.fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
     window_.reset(SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                    options.size.width, options.size.height, flags));
-    if (!window_) throw displayError("No window with OpenGL could be opened");
+    if (!window_) throw displayError("No window with OpenGL could be opened", glRemedy(kDesktop));
     SDL_SetWindowMinimumSize(window_.get(), 320, 180);
     context_.reset(SDL_GL_CreateContext(window_.get()));
-    if (!context_) throw displayError("No OpenGL 4.5 on this display");
+    if (!context_) throw displayError("No OpenGL 4.5 on this display", glRemedy(kDesktop));
     makeCurrent();
     loadFunctions();
     // -1 waits only when the frame is in time; drivers that do not know it take 1, or nothing at all.

@@ -26,7 +26,7 @@ std::vector<GlRenderer> listGlRenderers() {
     if (const auto session = EglSession::open(platform)) {
       renderer.name = textOf(GL_RENDERER) + ", OpenGL " + textOf(GL_VERSION);
       const EglPlatform device = session->device().value_or(platform);
-      renderer.software = device.place.software();
+      renderer.software = device.place.software() || softwareRenderer(textOf(GL_RENDERER));
       renderer.cudaDevice = device.place.cudaOrdinal;
     }
     renderers.push_back(std::move(renderer));

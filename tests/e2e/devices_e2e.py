@@ -1,6 +1,8 @@
 """gpuwars devices: the same facts for people and for scripts, and an answer where nothing can draw."""
 import json
+import shutil
 import sys
+from pathlib import Path
 
 import program as gpuwars
 
@@ -32,8 +34,28 @@ def check_renderers(failures, facts):
                        f"{renderer['place']}: {renderer['name'] or 'draws nothing'}, shares memory with {shared}")
 
 
+def check_remedy(failures, program, folder):
+    """Where a variable keeps the driver away: one sentence that names it, without the driver's own lines."""
+    replay = Path(__file__).resolve().parents[2] / "replays/first_seconds.gwr"
+    picture = folder / "picture.png"
+    draw = ("render", replay, "--device", "cpu", "--from", 20, "--to", 20, "--out", picture)
+    for name, value in (("LIBGL_DRIVERS_PATH", "/none"), ("__EGL_VENDOR_LIBRARY_FILENAMES", "/none.json"),
+                        ("MESA_GL_VERSION_OVERRIDE", "3.3"), ("MESA_LOADER_DRIVER_OVERRIDE", "zink"),
+                        ("GALLIUM_DRIVER", "none_such"), ("EGL_PLATFORM", "wayland")):
+        code, _, stderr = gpuwars.run(program, *draw, environment={**gpuwars.without_display(), name: value})
+        drawn = code == 0 and picture.is_file() and stderr == ""  # some drivers take no notice of some of them
+        said = code == 1 and len(stderr.splitlines()) == 1 and f"{name}='{value}', the likely cause" in stderr
+        failures.check(drawn or said, f"{name}={value}: " + ("a picture" if drawn else stderr.strip()))
+        picture.unlink(missing_ok=True)
+    nowhere = {**gpuwars.without_display(), "__EGL_VENDOR_LIBRARY_FILENAMES": "/none.json"}
+    code, _, stderr = gpuwars.run(program, *draw, environment=nowhere)
+    failures.check(code == 1 and "__EGL_VENDOR_LIBRARY_FILENAMES" in stderr, "one of them at least hides every driver")
+
+
 def main():
-    program = sys.argv[1]
+    program, folder = sys.argv[1], Path(sys.argv[2])
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
     failures = gpuwars.Failures()
     code, stdout, stderr = gpuwars.run(program, "devices", "--json", "-")
     failures.check(code == 0 and stderr == "", f"devices --json ends well and quietly: {code} {stderr!r}")
@@ -56,6 +78,7 @@ def main():
     failures.check(json.loads(stdout)["renderers"] == [], "and lists nothing that draws")
     code, stdout, _ = gpuwars.run(program, "devices", environment=nowhere)
     failures.check(code == 0 and "none without a display" in stdout, "in words too")
+    check_remedy(failures, program, folder)
     failures.finish()
 
 

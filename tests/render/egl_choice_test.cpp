@@ -47,6 +47,19 @@ TEST(EglChoice, AProcessorThatDrawsSaysSo) {
   EXPECT_FALSE(kSurfaceless.software());
 }
 
+TEST(EglChoice, AProcessorThatDrawsIsKnownByItsName) {
+  for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "llvmpipe (LLVM 19.1.7, 256 bits)", "softpipe",
+                           "zink Vulkan 1.4(llvmpipe (LLVM 19.1.7, 256 bits) (MESA_LLVMPIPE))", "Software Rasterizer",
+                           "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (LLVM 10.0.0)))"}) {
+    EXPECT_TRUE(softwareRenderer(name)) << name;
+  }
+  for (const char* name : {"NVIDIA H200/PCIe/SSE2", "AMD Radeon RX 7900 XTX (radeonsi, navi31, LLVM 19.1.7, DRM 3.61)",
+                           "Mesa Intel(R) UHD Graphics 620 (KBL GT2)", "virgl (AMD Radeon Graphics)",
+                           "zink Vulkan 1.4(NVIDIA GeForce RTX 4070 (NVIDIA_PROPRIETARY))", ""}) {
+    EXPECT_FALSE(softwareRenderer(name)) << name;
+  }
+}
+
 TEST(EglChoice, ExtensionsAreWholeWords) {
   EXPECT_TRUE(hasExtension("EGL_A EGL_B", "EGL_A"));
   EXPECT_TRUE(hasExtension("EGL_A EGL_B", "EGL_B"));
