@@ -25,6 +25,7 @@
 #include "game/replay/checksum.h"
 #include "game/replay/format.h"
 #include "game/tables/tables.h"
+#include "gpu/processors.h"
 
 namespace {
 
@@ -33,7 +34,7 @@ using namespace gw;
 struct Request {
   std::string bot, mode = "arcade", csv, out, rules = GW_ASSETS_DIR;
   uint64_t firstSeed = 1, seeds = 20;
-  uint32_t jobs = std::max(1u, std::thread::hardware_concurrency()), max_s = 900, enemies = 8192;
+  uint32_t jobs = readProcessors().usable(), max_s = 900, enemies = 8192;
 };
 
 uint64_t number(std::string_view option, std::string_view text, uint64_t least, uint64_t most) {

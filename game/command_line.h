@@ -36,7 +36,7 @@ struct Options {
 
   // How it is computed (play, replay, verify, trim). Cannot change the game.
   DeviceOption device = DeviceOption::automatic;
-  uint32_t threads = 0;  // cpu device: 0 takes what the machine has
+  uint32_t threads = 0;  // cpu device: 0 takes one per processor that it may use
   BroadPhase broadPhase = BroadPhase::ngrid;
   VisitOrder order = VisitOrder::forward;
   bool protectMemory = false;

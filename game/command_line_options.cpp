@@ -114,7 +114,7 @@ void VerbOptions::addGame() {
 
 void VerbOptions::addComputing() {
   values_.choice("--device", kDevices, "what computes", "auto", [&](uint32_t v) { options_.device = DeviceOption(v); });
-  values_.integer("--threads", "worker threads of the cpu device (0: what the machine has)", 0, 256,
+  values_.integer("--threads", "worker threads of the cpu device (0: one per processor that it may use)", 0, 256,
                   [&](uint64_t v) { options_.threads = uint32_t(v); });
   values_.choice("--broad-phase", kBroadPhases, "how neighbours are found; cannot change the game", "ngrid",
                  [&](uint32_t v) { options_.broadPhase = BroadPhase(v); });

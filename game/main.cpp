@@ -12,6 +12,7 @@
 #include "game/interrupt.h"
 #include "game/replay/replay.h"
 #include "game/user_error.h"
+#include "gpu/float_state.h"
 
 namespace {
 
@@ -63,6 +64,7 @@ int fail(ExitCode code, std::string sentence) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  setFloatState();  // a library that was loaded before may have changed it
   const ParsedCommandLine parsed = parseCommandLine(std::vector<std::string>(argv + 1, argv + argc));
   if (!parsed.run) {
     std::fputs(parsed.output.c_str(), stdout);

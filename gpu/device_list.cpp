@@ -1,6 +1,5 @@
 #include <gpuwars/device_list.h>
 
-#include <thread>
 #include <utility>
 
 #ifdef GW_HAVE_CUDA
@@ -59,13 +58,19 @@ void addCudaDevices(DeviceList& list) {
 }
 #endif
 
+std::string threadsOn(const Processors& processors) {
+  const uint32_t threads = processors.usable();
+  const std::string limits = processors.limits();
+  return std::to_string(threads) + (threads == 1 ? " thread" : " threads") + (limits.empty() ? "" : ": " + limits);
+}
+
 }  // namespace
 
 DeviceList listDevices() {
   DeviceList list;
   addCudaDevices(list);
-  const unsigned threads = std::thread::hardware_concurrency();
-  list.devices.push_back({"cpu", "worker pool", std::to_string(threads ? threads : 1) + " threads"});
+  list.processors = readProcessors();
+  list.devices.push_back({"cpu", "worker pool", threadsOn(list.processors)});
   return list;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gpuwars/cuda_state.h>
+#include <gpuwars/processors.h>
 
 #include <cstdint>
 #include <optional>
@@ -13,7 +14,7 @@ namespace gw {
 struct DeviceInfo {
   std::string kind;  // "cuda" or "cpu"
   std::string name;
-  std::string detail{};     // one line: capability and memory, or threads
+  std::string detail{};     // one line: capability and memory, or threads and what limits them
   int architecture = 0;     // cuda: compute capability, e.g. 90
   uint64_t memory_MiB = 0;  // cuda
   std::string problem{};    // cuda: why this program's kernels cannot run on it; empty when they can
@@ -26,6 +27,7 @@ struct DeviceList {
   std::string driverRelease;  // of the NVIDIA driver, e.g. "580.65.06"; empty: not known
   int driverVersion = 0;      // the newest CUDA that it supports, e.g. 13020 for 13.2; 0: there is no driver
   int runtimeVersion = 0;     // the CUDA of this build; 0: it has no cuda device
+  Processors processors;      // of the cpu device
   bool hasCuda() const { return cudaMissing.empty(); }
 };
 

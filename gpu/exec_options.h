@@ -10,7 +10,7 @@ namespace gw {
 enum class VisitOrder : uint32_t { forward, reversed, shuffled };
 
 struct ExecOptions {
-  uint32_t threads = 0;  // cpu device: 0 takes one per processor
+  uint32_t threads = 0;  // cpu device: 0 takes one per processor that this process may use
   VisitOrder order = VisitOrder::forward;
   bool protectMemory = false;  // cpu device: memory is PROT_NONE outside launches and declared copies
   uint32_t blockSize = 128;    // cuda device: threads per block of forEach

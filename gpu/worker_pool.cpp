@@ -1,7 +1,8 @@
+#include <gpuwars/float_state.h>
+#include <gpuwars/processors.h>
 #include <gpuwars/worker_pool.h>
 
 #include <algorithm>
-#include <cassert>
 
 #if defined(__SSE__)
 #include <immintrin.h>
@@ -24,19 +25,8 @@ void relax() {
 
 }  // namespace
 
-bool resetFloatEnvironment() {
-#if defined(__SSE__)
-  constexpr uint32_t kExceptionFlags = 0x3f, kDefault = 0x1f80;  // all masked, to nearest, no FTZ, no DAZ
-  const bool untouched = (_mm_getcsr() & ~kExceptionFlags) == kDefault;
-  if (!untouched) _mm_setcsr(kDefault);
-  return untouched;
-#else
-  return true;
-#endif
-}
-
 WorkerPool::WorkerPool(uint32_t threads) {
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  if (threads == 0) threads = readProcessors().usable();
   threads = std::min(threads, 256u);
   workers_.reserve(threads - 1);
   for (uint32_t i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
@@ -63,7 +53,7 @@ bool WorkerPool::claimAndRun(uint32_t generation) {
 
 void WorkerPool::run(uint32_t chunks, Chunk chunk, const void* context) {
   if (chunks == 0) return;
-  resetFloatEnvironment();
+  setFloatState();
   if (workers_.empty() || chunks == 1) {
     for (uint32_t c = 0; c < chunks; ++c) chunk(context, c);
     return;
@@ -104,7 +94,7 @@ void WorkerPool::work() {
     }
     if (stop_.load()) return;
     seen = now;
-    resetFloatEnvironment();
+    setFloatState();
     while (claimAndRun(seen)) {
     }
   }

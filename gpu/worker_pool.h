@@ -11,7 +11,7 @@ namespace gw {
 
 class WorkerPool {
  public:
-  // threads counts the caller too; 0 takes one per processor. At most 256.
+  // threads counts the caller too; 0 takes one per processor that this process may use. At most 256.
   explicit WorkerPool(uint32_t threads);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -44,9 +44,5 @@ class WorkerPool {
   const void* context_ = nullptr;
   std::vector<std::thread> workers_;
 };
-
-// Sets this thread's floating-point environment to what the kernels are defined for (round to nearest,
-// denormals kept). Returns false when it had been changed by someone.
-bool resetFloatEnvironment();
 
 }  // namespace gw

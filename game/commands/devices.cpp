@@ -21,6 +21,13 @@ Json versionOrNull(int version) {
   return version == 0 ? Json() : Json(cudaVersionText(version));
 }
 
+Json toJson(const Processors& processors) {
+  return {{"threads", processors.usable()},
+          {"present", processors.present},
+          {"allowed", processorList(processors.allowed)},
+          {"quota", processors.quota ? Json(*processors.quota) : Json()}};
+}
+
 Json toJson(const DeviceInfo& device) {
   Json json{{"kind", device.kind}, {"name", device.name}, {"detail", device.detail}};
   if (device.kind == "cuda") {
@@ -48,6 +55,7 @@ Json toJson(const DeviceList& list, const std::vector<GlRenderer>& renderers) {
   json["cpuKernels"] = cpu::kernelTarget();
   json["devices"] = Json::array();
   for (const DeviceInfo& device : list.devices) json["devices"].push_back(toJson(device));
+  json["processors"] = toJson(list.processors);
   json["renderers"] = Json::array();
   for (const GlRenderer& renderer : renderers) json["renderers"].push_back(toJson(renderer));
   return json;

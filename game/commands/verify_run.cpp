@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <thread>
 
 #include "game/commands/hash_file.h"
 #include "game/desync/desync_text.h"
@@ -12,6 +11,8 @@
 #include "game/interrupt.h"
 #include "game/replay/replay_reader.h"
 #include "game/user_error.h"
+#include "gpu/float_state.h"
+#include "gpu/processors.h"
 
 namespace gw {
 namespace {
@@ -139,6 +140,7 @@ void playBeside(Outcome& outcome, Verification& verification, const Replay& repl
 
 Outcome verifyReplay(const std::filesystem::path& file, const Options& options, const DeviceChoice& device,
                      const std::function<void()>& ticked) {
+  setFloatState();  // of this job's thread
   Outcome outcome;
   outcome.file = file.string();
   try {
@@ -148,7 +150,7 @@ Outcome verifyReplay(const std::filesystem::path& file, const Options& options, 
     setComputingOf(config, options, outcome.file);
     const uint32_t jobs = std::min(options.jobs, uint32_t(options.files.size()));
     if (config.threads == 0 && jobs > 1) {  // the machine is shared between the jobs
-      config.threads = std::max(1u, std::thread::hardware_concurrency() / jobs);
+      config.threads = std::max(1u, readProcessors().usable() / jobs);
     }
     Verification verification(outcome, replay, ticked);
     const auto start = Clock::now();

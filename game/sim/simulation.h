@@ -50,7 +50,7 @@ struct SimulationConfig {
 
   // How it is computed. None of this changes a single bit of the game.
   BroadPhase broadPhase = BroadPhase::ngrid;
-  uint32_t threads = 0;  // cpu device: 0 takes what the machine has
+  uint32_t threads = 0;  // cpu device: 0 takes one per processor that it may use
   VisitOrder order = VisitOrder::forward;
   bool protectMemory = false;  // cpu device: device memory is unreadable outside launches and copies
   uint32_t blockSize = 128;    // cuda device: threads per block

@@ -5,6 +5,8 @@
 
 #include <exception>
 
+#include "gpu/float_state.h"
+
 namespace gw {
 
 namespace {
@@ -35,6 +37,7 @@ Scout::~Scout() {
 
 void Scout::work(const Replay& replay, FirstDifference& difference, Moments& moments, const Make& make) {
   stepBack();
+  setFloatState();
   KeepingPlayer player(ReplayPlayer(replay, make(), difference), moments);
   constexpr uint32_t kWorthIt_ticks = 60;
   while (!stop_ && !player.ended()) {

@@ -19,7 +19,9 @@ TEST(DeviceList, TheCpuComesLastAndIsAlwaysThere) {
   for (size_t i = 0; i + 1 < list.devices.size(); ++i) EXPECT_EQ(list.devices[i].kind, "cuda");
   EXPECT_EQ(list.devices.back().kind, "cpu");
   EXPECT_GE(std::stoi(list.devices.back().detail), 1);
-  EXPECT_NE(list.devices.back().detail.find(" threads"), std::string::npos);
+  EXPECT_EQ(uint32_t(std::stoi(list.devices.back().detail)), list.processors.usable());
+  EXPECT_NE(list.devices.back().detail.find(" thread"), std::string::npos);
+  EXPECT_NE(list.devices.back().detail.find(list.processors.limits()), std::string::npos);
 }
 
 TEST(DeviceList, SaysInOneSentenceWhyCudaIsMissing) {

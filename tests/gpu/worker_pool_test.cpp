@@ -5,9 +5,9 @@
 #include <chrono>
 #include <memory>
 
-#if defined(__SSE__)
-#include <immintrin.h>
-#endif
+#include "gpu/float_state.h"
+#include "gpu/processors.h"
+#include "tests/gpu/float_bits.h"
 
 namespace gw {
 namespace {
@@ -73,58 +73,34 @@ TEST(WorkerPool, IsDestroyedUnusedIdleOrParked) {
 }
 
 TEST(WorkerPool, HasAtLeastOneThreadAndAtMost256) {
-  EXPECT_GE(WorkerPool(0).threads(), 1u);
+  EXPECT_EQ(WorkerPool(0).threads(), std::min(256u, readProcessors().usable()));
   EXPECT_EQ(WorkerPool(1).threads(), 1u);
   EXPECT_EQ(WorkerPool(5).threads(), 5u);
   EXPECT_EQ(WorkerPool(100000).threads(), 256u);
 }
 
-#if defined(__SSE__)
-constexpr uint32_t kFlagsMask = ~0x3fu;  // without the sticky exception flags
-constexpr uint32_t kDefault = 0x1f80;
-constexpr uint32_t kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040, kRoundUp = 0x4000;
-
-TEST(FloatEnvironment, IsResetAndTheChangeReported) {
-  for (uint32_t meddled : {kFlushToZero, kDenormalsAreZero, kRoundUp, kFlushToZero | kDenormalsAreZero | kRoundUp}) {
-    _mm_setcsr(kDefault | meddled);
-    EXPECT_FALSE(resetFloatEnvironment());
-    EXPECT_EQ(_mm_getcsr() & kFlagsMask, kDefault);
-    EXPECT_TRUE(resetFloatEnvironment());
-  }
-}
-
-TEST(FloatEnvironment, StickyExceptionFlagsAreNobodysMeddling) {
-  resetFloatEnvironment();
-  volatile float zero = 0.0f;
-  volatile float infinite = 1.0f / zero;
-  EXPECT_GT(infinite, 1.0f);
-  EXPECT_TRUE(resetFloatEnvironment());
-}
-
-TEST(FloatEnvironment, EveryRunStartsClean) {
+// A driver or a library may leave any thread that it touches in another state.
+TEST(WorkerPool, EveryRunStartsWithTheDefaultFloatState) {
+  using test::FloatBits;
   for (uint32_t threads : {1u, 4u}) {
     WorkerPool pool(threads);
     for (int round = 0; round < 100; ++round) {
-      // Code like that of a driver or a library leaves every thread it touches in fast mode.
-      const auto meddle = [](const void*, uint32_t) { _mm_setcsr(kDefault | kFlushToZero | kDenormalsAreZero); };
-      pool.run(8, meddle, nullptr);
-      _mm_setcsr(kDefault | kFlushToZero | kRoundUp);
+      pool.run(
+          8, [](const void*, uint32_t) { test::addFloatBits(FloatBits::flush); }, nullptr);
+      test::addFloatBits(FloatBits::up);
       std::atomic<uint32_t> dirty{0};
       pool.run(
           8,
           [](const void* context, uint32_t) {
-            volatile float least = 1.17549435e-38f;
-            const bool flushed = least * 0.5f == 0.0f;
             auto& dirty = *const_cast<std::atomic<uint32_t>*>(static_cast<const std::atomic<uint32_t>*>(context));
-            if (flushed || (_mm_getcsr() & kFlagsMask) != kDefault) ++dirty;
+            if (test::flushesSubnormals() || !floatStateIsDefault()) ++dirty;
           },
           &dirty);
       ASSERT_EQ(dirty, 0u) << threads << " threads, round " << round;
     }
   }
-  EXPECT_TRUE(resetFloatEnvironment());
+  EXPECT_TRUE(floatStateIsDefault());
 }
-#endif
 
 }  // namespace
 }  // namespace gw
