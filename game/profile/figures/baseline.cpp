@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string_view>
+#include <utility>
 
 namespace gw::profile {
 
@@ -94,14 +96,46 @@ std::string quoted(const std::string& text) {
   return text.empty() ? "unknown" : "\"" + text + "\"";
 }
 
+// Whether it is the same.
+bool say(std::vector<std::string>& sentences, const char* what, const std::string& before, const std::string& after) {
+  if (before == after) return true;
+  sentences.push_back(std::string("Another ") + what + ": it was " + quoted(before) + " and is " + quoted(after) + ".");
+  return false;
+}
+
+std::string quotaText(double quota) {
+  char text[32] = "none";
+  if (std::isfinite(quota)) std::snprintf(text, sizeof text, "%.2f", quota);
+  return text;
+}
+
+// Whether both could count on their processors for the same. Reports of earlier programs do not say.
+bool sayProcessors(std::vector<std::string>& sentences, const std::optional<ProcessorState>& now,
+                   const std::optional<ProcessorState>& old) {
+  bool same = true;
+  if (now && old) {
+    same &= say(sentences, "set of allowed processors", old->allowed, now->allowed);
+    same &= say(sentences, "quota of the processors' time", quotaText(old->quota), quotaText(now->quota));
+    same &= say(sentences, "governor", old->governor, now->governor);
+    same &= say(sentences, "setting of turbo", old->turbo, now->turbo);
+    same &= say(sentences, "range of clocks", old->clockRange, now->clockRange);
+  }
+  for (const auto& [which, processors] : {std::pair("old", &old), {"new", &now}}) {
+    if (!*processors || !((*processors)->throttled_s > 0)) continue;
+    char text[120];
+    std::snprintf(text, sizeof text, "The quota of the processors' time held the %s session up for %.2f s.", which,
+                  (*processors)->throttled_s);
+    sentences.emplace_back(text);
+    same = false;
+  }
+  return same;
+}
+
 // Whether it is the same machine.
 bool sayDifferences(std::vector<std::string>& sentences, const Report& now, const Report& old) {
   bool same = true;
   const auto say = [&](const char* what, const std::string& before, const std::string& after) {
-    if (before == after) return true;
-    sentences.push_back(std::string("Another ") + what + ": it was " + quoted(before) + " and is " + quoted(after) +
-                        ".");
-    return false;
+    return profile::say(sentences, what, before, after);
   };
   same &= say("processor", old.machine.cpu, now.machine.cpu);
   same &= say("number of cores", old.machine.cores, now.machine.cores);
@@ -132,7 +166,7 @@ void markFailures(std::vector<Compared>& compared) {
   }
 }
 
-void judge(Comparison& comparison, bool sameMachine) {
+void judge(Comparison& comparison, bool sameMachine, bool sameProcessors) {
   size_t judged = 0, failed = 0, lacking = 0;
   for (const Compared& one : comparison.compared) {
     if (!one.gated) continue;
@@ -144,6 +178,9 @@ void judge(Comparison& comparison, bool sameMachine) {
   const std::string count = std::to_string(judged) + " gated figures";
   if (!sameMachine) {
     comparison.gateSentence = "Gate: cannot judge, because machine or device are others.";
+  } else if (!sameProcessors) {
+    comparison.gateSentence =
+        "Gate: cannot judge, because a quota held threads up, or affinity, quota or clocks are others.";
   } else if (failed > 0) {
     comparison.gate = Gate::slower;
     comparison.gateSentence = "Gate: failed, " + std::to_string(failed) + " of " + count + " slower beyond noise.";
@@ -183,13 +220,14 @@ Comparison compareWithBaseline(const Report& now, const Report& old) {
   comparison.error = whyNotComparable(now.setup, old.setup);
   if (!comparison.error.empty()) return comparison;
   const bool sameMachine = sayDifferences(comparison.differences, now, old);
+  const bool sameProcessors = sayProcessors(comparison.differences, now.machine.processors, old.machine.processors);
   const auto sized = [](uint32_t enemies) { return [enemies](const Case& c) { return c.enemies == enemies; }; };
   for (const Case& one : now.cases) compareCases(comparison, &one, find(old.cases, sized(one.enemies)));
   for (const Case& one : old.cases) {
     if (!find(now.cases, sized(one.enemies))) compareCases(comparison, nullptr, &one);
   }
   markFailures(comparison.compared);
-  judge(comparison, sameMachine);
+  judge(comparison, sameMachine, sameProcessors);
   return comparison;
 }
 

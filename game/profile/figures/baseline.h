@@ -43,7 +43,7 @@ struct Compared {
 enum class Gate {
   passed,
   slower,       // one at least fails it
-  cannotJudge,  // another machine or device, or a gated figure lacks runs or is missing now
+  cannotJudge,  // another machine, device or state of its processors, or a gated figure lacks runs or is missing now
 };
 
 struct Comparison {
@@ -59,7 +59,8 @@ struct Comparison {
 std::string whyNotComparable(const Setup& now, const Setup& old);
 
 // An error: another scene, mode, picture, pacing, number of ticks or warm-up. Said, and the gate cannot judge: another
-// machine, renderer or device. Only said: another compiler, flags, commit; states that differ; a session cut short.
+// machine, renderer or device; another affinity, quota, governor, turbo or range of clocks, or threads held up by a
+// quota. Only said: another compiler, flags, commit; states that differ; a session cut short.
 Comparison compareWithBaseline(const Report& now, const Report& old);
 
 // For a terminal. Ends with the gate's sentence.

@@ -13,11 +13,20 @@ namespace gw::profile {
 
 inline constexpr uint32_t kReportVersion = 1;
 
+// What a session could count on its processors for. Texts are empty where the system does not say.
+struct ProcessorState {
+  std::string allowed;                      // "0-3,8"
+  double quota = kUnknown;                  // the time of how many processors; unknown: no limit
+  double throttled_s = kUnknown;            // for which that quota kept threads waiting meanwhile, summed over them
+  std::string governor, turbo, clockRange;  // "performance", "off", "800 to 3400 MHz"
+};
+
 // Where it was measured. Texts are empty, and numbers NaN, where the machine does not say.
 struct Machine {
   std::string cpu, cores, gpu, driver, renderer, compiler, flags, commit, system;
   double loadBefore = kUnknown, loadAfter = kUnknown;  // of one minute
   double gpuClock_MHz = kUnknown, gpuPower_W = kUnknown, gpuTemperature_C = kUnknown;
+  std::optional<ProcessorState> processors{};  // none in reports of earlier programs
 };
 
 // What was asked for.

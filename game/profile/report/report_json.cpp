@@ -52,21 +52,28 @@ Json table() {
   });
 }
 
+Json processors(const ProcessorState& of) {
+  return {{"allowed", of.allowed},   {"quota", number(of.quota)}, {"throttled_s", number(of.throttled_s)},
+          {"governor", of.governor}, {"turbo", of.turbo},         {"clockRange", of.clockRange}};
+}
+
 Json machine(const Machine& of) {
-  return {{"cpu", of.cpu},
-          {"cores", of.cores},
-          {"gpu", of.gpu},
-          {"driver", of.driver},
-          {"renderer", of.renderer},
-          {"compiler", of.compiler},
-          {"flags", of.flags},
-          {"commit", of.commit},
-          {"system", of.system},
-          {"loadBefore", number(of.loadBefore)},
-          {"loadAfter", number(of.loadAfter)},
-          {"gpuClock_MHz", number(of.gpuClock_MHz)},
-          {"gpuPower_W", number(of.gpuPower_W)},
-          {"gpuTemperature_C", number(of.gpuTemperature_C)}};
+  Json json{{"cpu", of.cpu},
+            {"cores", of.cores},
+            {"gpu", of.gpu},
+            {"driver", of.driver},
+            {"renderer", of.renderer},
+            {"compiler", of.compiler},
+            {"flags", of.flags},
+            {"commit", of.commit},
+            {"system", of.system},
+            {"loadBefore", number(of.loadBefore)},
+            {"loadAfter", number(of.loadAfter)},
+            {"gpuClock_MHz", number(of.gpuClock_MHz)},
+            {"gpuPower_W", number(of.gpuPower_W)},
+            {"gpuTemperature_C", number(of.gpuTemperature_C)}};
+  if (of.processors) json["processors"] = processors(*of.processors);
+  return json;
 }
 
 Json setup(const Setup& of) {

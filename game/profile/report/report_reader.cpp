@@ -46,6 +46,8 @@ class Value {
     return {file_, *child, place};
   }
 
+  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
+
   std::string text() const {
     if (!json_.is_string()) notA("a text");
     return json_.get<std::string>();
@@ -107,6 +109,17 @@ Estimate estimate(const Value& json) {
   return {json["value"].number(), json["low"].number(), json["high"].number()};
 }
 
+ProcessorState processors(const Value& json) {
+  ProcessorState processors;
+  processors.allowed = json["allowed"].text();
+  processors.quota = json["quota"].number();
+  processors.throttled_s = json["throttled_s"].number();
+  processors.governor = json["governor"].text();
+  processors.turbo = json["turbo"].text();
+  processors.clockRange = json["clockRange"].text();
+  return processors;
+}
+
 Machine machine(const Value& json) {
   Machine machine;
   for (auto [key, member] : {std::pair{"cpu", &Machine::cpu},
@@ -127,6 +140,7 @@ Machine machine(const Value& json) {
                              {"gpuTemperature_C", &Machine::gpuTemperature_C}}) {
     machine.*member = json[key].number();
   }
+  if (json.has("processors")) machine.processors = processors(json["processors"]);
   return machine;
 }
 

@@ -49,6 +49,12 @@ std::string loadCell(double load) {
   return std::isfinite(load) ? fmt::format("{:.2f}", load) : kNotSaid;
 }
 
+std::string quotaCell(const std::optional<ProcessorState>& of) {
+  if (!of) return kNotSaid;
+  if (!std::isfinite(of->quota)) return "none";
+  return fmt::format("{} processors, {}", figureText(of->quota), numberCell(of->throttled_s, " s"));
+}
+
 // Escaped, with names between backticks as code.
 std::string withCode(std::string_view text) {
   std::string html;
@@ -118,6 +124,11 @@ std::string machineTable(const Machine& of) {
       {"Driver", of.driver}, {"Renderer", of.renderer}, {"Compiler", of.compiler},
       {"Flags", of.flags},   {"Commit", of.commit},     {"System", of.system}};
   for (const auto& [head, text] : texts) table.row(head, {textCell(text)});
+  const ProcessorState processors = of.processors.value_or(ProcessorState{});
+  table.row("Processors allowed", {textCell(processors.allowed)});
+  table.row("Quota of their time, held up by it", {quotaCell(of.processors)});
+  table.row("Governor, turbo, clocks", {textCell(processors.governor) + ", " + textCell(processors.turbo) + ", " +
+                                        textCell(processors.clockRange)});
   table.row("Load of one minute, before and after", {loadCell(of.loadBefore) + ", " + loadCell(of.loadAfter)});
   table.row("GPU clock, power, temperature",
             {numberCell(of.gpuClock_MHz, " MHz") + ", " + numberCell(of.gpuPower_W, " W") + ", " +

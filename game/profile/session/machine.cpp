@@ -11,11 +11,11 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "game/processes/fed_process.h"
 #include "game/profile/session/built_from.h"
+#include "gpu/processors.h"
 
 namespace gw::profile {
 namespace {
@@ -78,7 +78,7 @@ double loadAverage() {
 Machine thisMachine() {
   Machine machine;
   machine.cpu = processorName();
-  machine.cores = std::to_string(std::thread::hardware_concurrency());
+  machine.cores = std::to_string(readProcessors().present);
   machine.compiler = kCompiler;
   machine.flags = kCompilerFlags;
   machine.commit = kCommit;

@@ -85,6 +85,7 @@ Report Session::run(const SetupListener& setups, const RunListener& runs, const 
   runListener_ = runs;
   progressListener_ = progress;
   const MachineUse use;
+  const ProcessorWatch processors;
   Report report;
   report.machine = thisMachine();
   begin();
@@ -104,7 +105,7 @@ Report Session::run(const SetupListener& setups, const RunListener& runs, const 
   if (screen_) report.machine.renderer = screen_->context->rendererName();
   report.growth = growthOf(report.cases);
   if (!timersCost_.empty()) report.stageTimersCost = median(timersCost_);
-  warn(report, use);
+  warn(report, use, processors);
   return report;
 }
 
@@ -279,8 +280,12 @@ Setup Session::setupOf(const Scene& first) const {
   return setup;
 }
 
-void Session::warn(Report& report, const MachineUse& use) const {
+void Session::warn(Report& report, const MachineUse& use, const ProcessorWatch& processors) const {
   report.machine.loadAfter = loadAverage();
+  report.machine.processors = processors.state();
+  for (const std::string& sentence : processors.warnings(*report.machine.processors)) {
+    report.warnings.push_back(sentence);
+  }
   const double others = use.othersShare();
   if (others > kBusy) {
     report.warnings.push_back(fmt::format(

@@ -9,6 +9,7 @@
 
 #include "game/profile/figures/report.h"
 #include "game/profile/session/machine.h"
+#include "game/profile/session/processor_watch.h"
 #include "game/profile/session/runner.h"
 
 namespace gw::profile {
@@ -64,7 +65,7 @@ class Session {
   bool tell(const std::string& doing, uint32_t tick, uint32_t ticks, double left_s);
   double left_s() const;
   Setup setupOf(const Scene& first) const;
-  void warn(Report& report, const MachineUse& use) const;
+  void warn(Report& report, const MachineUse& use, const ProcessorWatch& processors) const;
 
   SessionPlan plan_;
   SimulationConfig computing_;

@@ -250,6 +250,50 @@ TEST(Baseline, OfAnotherMachineIsShownButNotJudged) {
   cannot([](Report& r) { r.setup.device = "cpu, 1 thread"; }, "device");
 }
 
+TEST(Baseline, UnderOtherConditionsOfTheProcessorsIsShownButNotJudged) {
+  const ProcessorState usual{"0-7", 4, 0, "performance", "off", "2400 MHz"};
+  const auto with = [&](uint64_t seed, const ProcessorState& state) {
+    Report report = sessionOf(seed);
+    report.machine.processors = state;
+    return report;
+  };
+  const auto compared = [&](const ProcessorState& old, const ProcessorState& now) {
+    return compareWithBaseline(with(1, now), with(2, old));
+  };
+  EXPECT_EQ(compared(usual, usual).gate, Gate::passed);
+  EXPECT_TRUE(compared(usual, usual).differences.empty());
+  const auto cannot = [&](auto change, const char* part) {
+    ProcessorState other = usual;
+    change(other);
+    for (const Comparison& comparison : {compared(usual, other), compared(other, usual)}) {
+      EXPECT_EQ(comparison.error, "");
+      ASSERT_EQ(comparison.differences.size(), 1u) << part;
+      EXPECT_EQ(comparison.gate, Gate::cannotJudge) << part;
+      EXPECT_TRUE(
+          baselineText(comparison)
+              .ends_with(
+                  "Gate: cannot judge, because a quota held threads up, or affinity, quota or clocks are others.\n"));
+    }
+    EXPECT_TRUE(says(compared(usual, other).differences, part)) << part;
+  };
+  cannot([](ProcessorState& s) { s.allowed = "0"; }, "Another set of allowed processors: it was \"0-7\" and is \"0\".");
+  cannot([](ProcessorState& s) { s.quota = kUnknown; },
+         "Another quota of the processors' time: it was \"4.00\" and is \"none\".");
+  cannot([](ProcessorState& s) { s.governor = "powersave"; },
+         "Another governor: it was \"performance\" and is \"powersave\".");
+  cannot([](ProcessorState& s) { s.turbo = ""; }, "Another setting of turbo: it was \"off\" and is unknown.");
+  cannot([](ProcessorState& s) { s.clockRange = "800 to 2400 MHz"; }, "Another range of clocks");
+  cannot([](ProcessorState& s) { s.throttled_s = 5.6; }, "held the new session up for 5.60 s.");
+
+  // Equal quotas that held both up: either may have been held up where it mattered.
+  ProcessorState held = usual;
+  held.throttled_s = 0.2;
+  EXPECT_EQ(compared(held, held).gate, Gate::cannotJudge);
+  EXPECT_EQ(compared(held, held).differences.size(), 2u);
+  // A report of an earlier program says nothing of it, and is judged as it was.
+  EXPECT_EQ(compareWithBaseline(with(1, usual), sessionOf(2)).gate, Gate::passed);
+}
+
 TEST(Baseline, OfAnotherBuildIsSaidAndJudged) {
   const Report old = sessionOf(1);
   const auto judges = [&](auto change, const char* part) {

@@ -123,7 +123,8 @@ Report sampleReport() {
                     1.92,
                     1980,
                     214.5,
-                    46};
+                    46,
+                    ProcessorState{"0-1", 1.5, 0, "performance", "off", "2400 MHz"}};
   report.setup = {"swarm",
                   "Up to 16,384 enemies hunt the ship, which an expert bot steers.",
                   "swarm",
@@ -223,6 +224,9 @@ Report randomReport(uint32_t seed) {
   Report report;
   report.machine = {text(), text(), text(),   text(),   text(),   text(),   text(),
                     text(), text(), number(), number(), number(), number(), number()};
+  if (dice.below(2) == 1) {
+    report.machine.processors = ProcessorState{text(), number(), number(), text(), text(), text()};
+  }
   report.setup = {
       text(), text(), text(), text(), text(), text(), uint32_t(dice.below(1u << 31) * 2 + 1), 7, 9, dice.below(2) == 1};
   report.cases = dice.list([&] {
