@@ -26,7 +26,7 @@ class Voices {
  public:
   static constexpr uint32_t kVoices = 24;
   static constexpr uint32_t kMostKillStarts = 4;  // a tick; the others wait and sound together
-  // A voice that is cut off keeps its head room for so long: OpenAL fades it out (over 64 samples, since 1.20) while
+  // A voice that is cut off keeps its head room for so long: OpenAL 1.21 and newer fade it out, over 64 samples, while
   // its successor already plays, and both begin with the device's next update, which may be 40 ms away.
   static constexpr uint32_t kCutOff_ticks = 3;
 
