@@ -5,7 +5,7 @@ target_compile_definitions(fault_test PRIVATE GW_ASSETS_DIR="${PROJECT_SOURCE_DI
   GW_FAULT_TABLE="${CMAKE_CURRENT_BINARY_DIR}/cuda_faults.md" GW_FAULT_DOCS="${PROJECT_SOURCE_DIR}/docs/cuda-faults.md")
 target_link_libraries(fault_test PRIVATE gw_program GTest::gtest_main)
 add_test(NAME fault_test COMMAND fault_test)
-set_tests_properties(fault_test PROPERTIES LABELS cuda)
+set_tests_properties(fault_test PROPERTIES LABELS cuda COST 60) # begun first, since it takes longest
 
 # A recorded run on both devices at once, tick by tick.
 add_test(NAME verify_against_cuda
