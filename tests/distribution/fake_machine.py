@@ -39,6 +39,14 @@ def chroot():
     Inside(root, command, preloaded).answer()
 
 
+def as_bt601(red, green, blue):
+    """What is read as BT.601 of a colour that was stored as BT.709."""
+    luma = 0.2126 * red + 0.7152 * green + 0.0722 * blue
+    cr, cb = (red - luma) / 1.5748, (blue - luma) / 1.8556
+    read = (luma + 1.402 * cr, luma - 0.344136 * cb - 0.714136 * cr, luma + 1.772 * cb)
+    return tuple(min(255, max(0, round(value))) for value in read)
+
+
 class Inside:
     """One command in a root."""
 
@@ -106,12 +114,18 @@ class Inside:
             self.path("--hashes").write_text(f"1 00\n{self.command[self.command.index('--ticks') + 1]} {value}\n")
 
     def decode(self):
-        """A picture half red; the film's frame in the middle shows the same, or as another matrix reads it."""
-        red = [200, 40, 20] if self.broken("picture") else [220, 0, 0]
+        """A picture of five colours; the film's frame in the middle shows the same, or as another matrix reads it."""
         film = "film.mp4" in self.command
+        colours = [(220, 0, 0), (0, 220, 0), (0, 0, 220), (200, 200, 200), (10, 10, 20)]
+        if self.broken("picture"):
+            colours[3] = (160, 200, 200)
         if film and self.broken("matrix"):
-            red = [200, 0, 1]
-        frame = bytes([*red] * (WIDTH // 2) + [10, 10, 20] * (WIDTH // 2)) * HEIGHT
+            colours = [as_bt601(*colour) for colour in colours]
+        if film and self.broken("range"):
+            colours = [tuple(16 + value * 219 // 255 for value in colour) for colour in colours]
+        if film and self.broken("colour"):
+            colours = [(sum(colour) // 3,) * 3 for colour in colours]
+        frame = b"".join(bytes(colour) * (WIDTH // len(colours)) for colour in colours) * HEIGHT
         with open(self.command[-1], "wb") as file:
             file.truncate(len(frame) * (FRAMES - self.broken("frames") if film else 1))
             file.seek(len(frame) * (FRAMES // 2) if film else 0)

@@ -4,7 +4,7 @@ import os
 import sys
 from pathlib import Path
 
-from film_colours import MOST_DIFFERENCE, blocks, colourful
+from film_colours import blocks, colours_fault
 from outcome import FAILED, PASSED
 from root import RESULTS
 
@@ -107,11 +107,7 @@ class Game:
         wrong = [f"{tag} {stream.get(tag, 'unknown')}" for tag in TAGS if stream.get(tag) != "bt709"]
         if wrong:
             return f"it must be marked as bt709, but says {', '.join(wrong)}"
-        differs = max(abs(a - b) for a, b in zip(drawn, decoded, strict=True))
-        if differs > MOST_DIFFERENCE:
-            return f"decoded, a block differs by {differs} of 255 from what was drawn"
-        colour = colourful(drawn)
-        return "" if colour > 5 * MOST_DIFFERENCE else f"the picture has too little colour ({colour} of 255) to tell"
+        return colours_fault(drawn, decoded)
 
 
 def replay_fault(name, kept, facts, status):
