@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "game/input/frame_events.h"
 #include "game/interrupt.h"
 #include "game/ui/theme.h"
 #include "game/user_error.h"
@@ -80,13 +81,15 @@ void GameLoop::mute(bool on) {
 }
 
 bool GameLoop::beginFrame() {
-  SDL_Event event;
-  while (SDL_PollEvent(&event) != 0) {
+  const uint32_t looked_ms = SDL_GetTicks();
+  takeEvents(events_);
+  for (const SDL_Event& event : events_) {
     if (event.type == SDL_QUIT) closed_ = true;
     if (instruments_->handle(event) || (listener_ && listener_(event))) continue;
     pads_->handle(event);
     input_.handle(event);
   }
+  input_.endFrame(looked_ms);
   if (input_.pressed(Action::fullscreen)) context_->setFullscreen(fullscreen_ = !fullscreen_);
   if (input_.pressed(Action::mute)) mute(!audio_->muted());
   last_s_ = now_s_;

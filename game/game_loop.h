@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "game/audio/audio.h"
 #include "game/camera.h"
@@ -103,6 +104,7 @@ class GameLoop {
   TickPacer pacer_;
   Settings::Effects effects_;
   Listener listener_;
+  std::vector<SDL_Event> events_;  // of this frame
   std::optional<CameraPlace> place_;
   bool jumped_ = false;
   double now_s_ = 0, last_s_ = 0;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "render/gl_environment.h"
+#include "render/sdl_error.h"
 
 namespace gw {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr const char* kDesktop = "start GpuWars in a desktop session with an up-to-date graphics driver";
 
 std::runtime_error displayError(const char* what, const std::string& remedy = kDesktop) {
-  return std::runtime_error(std::string(what) + " (" + SDL_GetError() + "): " + remedy + ", or run with --headless.");
+  return std::runtime_error(what + sdlReason() + ": " + remedy + ", or run with --headless.");
 }
 
 // SDL counts how often its video was started, so that this ends only what it began.

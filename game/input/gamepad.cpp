@@ -41,29 +41,23 @@ int16_t quantiseStick(float component) {
   return int16_t(std::lround(std::clamp(component, -1.0f, 1.0f) * float(kStickFull)));
 }
 
-void Gamepad::handle(const SDL_Event& event) {
+void Gamepad::handle(const SDL_Event& event, PadTurns& turns) {
   switch (event.type) {
-    case SDL_CONTROLLERAXISMOTION: {
-      Pad& from = pad(event.caxis.which);
-      const uint8_t axis = event.caxis.axis;
-      if (isTrigger(axis)) {
-        const bool was = from.down[triggerButton(axis)];
-        setButton(from, triggerButton(axis), event.caxis.value >= (was ? kTriggerUp : kTriggerDown));
-      } else if (axis < from.sticks.size()) {
-        from.sticks[axis] = event.caxis.value;
-        if (std::abs(axisShare(event.caxis.value)) > kTakesOver) use(from);
-      }
+    case SDL_CONTROLLERAXISMOTION:
+      moveAxis(event.caxis, turns);
+      return;
+    case SDL_CONTROLLERBUTTONDOWN:
+    case SDL_CONTROLLERBUTTONUP: {
+      if (event.cbutton.button >= kPadLeftTrigger) return;
+      Pad& from = pad(event.cbutton.which);
+      const bool pressed = setButton(from, event.cbutton.button, event.type == SDL_CONTROLLERBUTTONDOWN);
+      if (pressed && turns.press(from.id, event.cbutton.timestamp)) press(from, event.cbutton.button);
       return;
     }
-    case SDL_CONTROLLERBUTTONDOWN:
-    case SDL_CONTROLLERBUTTONUP:
-      if (event.cbutton.button < kPadLeftTrigger) {
-        setButton(pad(event.cbutton.which), event.cbutton.button, event.type == SDL_CONTROLLERBUTTONDOWN);
-      }
-      return;
     case SDL_CONTROLLERDEVICEREMOVED: {
       const SDL_JoystickID id = event.cdevice.which;
       std::erase_if(pads_, [&](const Pad& pad) { return pad.id == id; });
+      turns.forget(id);
       if (playing_ == id) {
         playing_.reset();
         tapped_.fill(false);
@@ -73,6 +67,21 @@ void Gamepad::handle(const SDL_Event& event) {
     }
     default:
       return;
+  }
+}
+
+void Gamepad::moveAxis(const SDL_ControllerAxisEvent& event, PadTurns& turns) {
+  Pad& from = pad(event.which);
+  if (isTrigger(event.axis)) {
+    const uint16_t button = triggerButton(event.axis);
+    const bool pressed = setButton(from, button, event.value >= (from.down[button] ? kTriggerUp : kTriggerDown));
+    if (pressed && turns.press(from.id, event.timestamp)) press(from, button);
+  } else if (event.axis < from.sticks.size()) {
+    int16_t& stick = from.sticks[event.axis];
+    const bool was = std::abs(axisShare(stick)) > kTakesOver, is = std::abs(axisShare(event.value)) > kTakesOver;
+    stick = event.value;
+    // Pushing it is a press; a stick that is held out moves all the time, and keeps nobody else from pressing.
+    if (is && (was ? turns.mayPress(from.id, event.timestamp) : turns.press(from.id, event.timestamp))) use(from);
   }
 }
 
@@ -163,10 +172,13 @@ void Gamepad::use(const Pad& pad) {
   playing_ = pad.id;
 }
 
-void Gamepad::setButton(Pad& pad, uint16_t button, bool down) {
-  if (pad.down[button] == down) return;
+bool Gamepad::setButton(Pad& pad, uint16_t button, bool down) {
+  const bool changed = pad.down[button] != down;
   pad.down[button] = down;
-  if (!down) return;
+  return changed && down;
+}
+
+void Gamepad::press(const Pad& pad, uint16_t button) {
   use(pad);
   for (uint32_t i = 0; i < kActions; ++i) {
     if (!bindings_.has({InputDevice::pad, button}, Action(i))) continue;

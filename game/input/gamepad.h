@@ -11,6 +11,7 @@
 
 #include "game/input/bindings.h"
 #include "game/input/input_record.h"
+#include "game/input/pad_turns.h"
 
 namespace gw {
 
@@ -34,8 +35,9 @@ class Gamepad {
   explicit Gamepad(const Bindings& bindings = {}) : bindings_(bindings) {}
 
   // Pads appear with their first event and go with SDL_CONTROLLERDEVICEREMOVED. The pad that was used last plays: a
-  // button, a trigger, or a stick more than half way out. Only its sticks and buttons count.
-  void handle(const SDL_Event& event);
+  // button, a trigger, or a stick more than half way out. Only its sticks and buttons count. A press out of turn is
+  // none.
+  void handle(const SDL_Event& event, PadTurns& turns);
 
   void setBindings(const Bindings& bindings);
   void setDeadZones(float move, float aim);
@@ -73,7 +75,10 @@ class Gamepad {
   const Pad* find(SDL_JoystickID id) const;
   const Pad* playing() const { return playing_ ? find(*playing_) : nullptr; }
   void use(const Pad& pad);
-  void setButton(Pad& pad, uint16_t button, bool down);
+  // True when that is a press.
+  static bool setButton(Pad& pad, uint16_t button, bool down);
+  void press(const Pad& pad, uint16_t button);
+  void moveAxis(const SDL_ControllerAxisEvent& event, PadTurns& turns);
 
   Bindings bindings_;
   float moveDeadZone_ = 0.2f, aimDeadZone_ = 0.25f;

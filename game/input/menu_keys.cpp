@@ -1,5 +1,6 @@
 #include "game/input/menu_keys.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "game/input/bindings.h"
@@ -20,6 +21,11 @@ int pushed(float share, int before) {
 
 }  // namespace
 
+// What was pushed anew.
+MenuKeys::Direction MenuKeys::changed(Direction before, Direction now) {
+  return {now.x != before.x ? now.x : 0, now.y != before.y ? now.y : 0};
+}
+
 void MenuKeys::step(Direction direction) {
   presses_.up += direction.y < 0;
   presses_.down += direction.y > 0;
@@ -27,7 +33,7 @@ void MenuKeys::step(Direction direction) {
   presses_.right += direction.x > 0;
 }
 
-void MenuKeys::handle(const SDL_Event& event) {
+void MenuKeys::handle(const SDL_Event& event, PadTurns& turns) {
   switch (event.type) {
     case SDL_KEYDOWN: {
       const SDL_Scancode key = event.key.keysym.scancode;
@@ -43,38 +49,63 @@ void MenuKeys::handle(const SDL_Event& event) {
       return;
     }
     case SDL_CONTROLLERBUTTONDOWN:
-    case SDL_CONTROLLERBUTTONUP: {
-      const uint16_t button = event.cbutton.button;
-      const bool down = event.type == SDL_CONTROLLERBUTTONDOWN;
-      const Direction before = cross_;
-      if (button == kPadUp) cross_.y = down ? -1 : 0;
-      if (button == kPadDown) cross_.y = down ? 1 : 0;
-      if (button == kPadLeft) cross_.x = down ? -1 : 0;
-      if (button == kPadRight) cross_.x = down ? 1 : 0;
-      if (down && !(cross_ == before)) step({cross_.x != before.x ? cross_.x : 0, cross_.y != before.y ? cross_.y : 0});
-      presses_.confirm |= down && button == kPadA;
-      presses_.back |= down && button == kPadB;
-      presses_.otherColumn |= down && (button == kPadLeftShoulder || button == kPadRightShoulder);
-      return;
-    }
-    case SDL_CONTROLLERAXISMOTION: {
-      const Direction before = stick_;
-      const float share = axisShare(event.caxis.value);
-      if (event.caxis.axis == SDL_CONTROLLER_AXIS_LEFTX) stick_.x = pushed(share, stick_.x);
-      if (event.caxis.axis == SDL_CONTROLLER_AXIS_LEFTY) stick_.y = pushed(share, stick_.y);
-      step({stick_.x != before.x ? stick_.x : 0, stick_.y != before.y ? stick_.y : 0});
-      return;
-    }
+    case SDL_CONTROLLERBUTTONUP:
+      return pressButton(event.cbutton, turns);
+    case SDL_CONTROLLERAXISMOTION:
+      return moveStick(event.caxis, turns);
     case SDL_CONTROLLERDEVICEREMOVED:
-      stick_ = cross_ = {};
+      std::erase_if(pads_, [&](const Pad& pad) { return pad.id == event.cdevice.which; });
+      if (last_ == event.cdevice.which) last_.reset();
       return;
     default:
       return;
   }
 }
 
+void MenuKeys::pressButton(const SDL_ControllerButtonEvent& event, PadTurns& turns) {
+  Pad& from = pad(event.which);
+  const uint16_t button = event.button;
+  const bool down = event.type == SDL_CONTROLLERBUTTONDOWN;
+  const Direction before = from.cross;
+  if (button == kPadUp) from.cross.y = down ? -1 : 0;
+  if (button == kPadDown) from.cross.y = down ? 1 : 0;
+  if (button == kPadLeft) from.cross.x = down ? -1 : 0;
+  if (button == kPadRight) from.cross.x = down ? 1 : 0;
+  if (!down || !turns.press(from.id, event.timestamp)) return;
+  last_ = from.id;
+  step(changed(before, from.cross));
+  presses_.confirm |= button == kPadA;
+  presses_.back |= button == kPadB;
+  presses_.otherColumn |= button == kPadLeftShoulder || button == kPadRightShoulder;
+}
+
+void MenuKeys::moveStick(const SDL_ControllerAxisEvent& event, PadTurns& turns) {
+  Pad& from = pad(event.which);
+  const Direction before = from.stick;
+  const float share = axisShare(event.value);
+  if (event.axis == SDL_CONTROLLER_AXIS_LEFTX) from.stick.x = pushed(share, from.stick.x);
+  if (event.axis == SDL_CONTROLLER_AXIS_LEFTY) from.stick.y = pushed(share, from.stick.y);
+  const Direction push = changed(before, from.stick);
+  if (push == Direction{} || !turns.press(from.id, event.timestamp)) return;
+  last_ = from.id;
+  step(push);
+}
+
+MenuKeys::Pad& MenuKeys::pad(SDL_JoystickID id) {
+  const auto found = std::find_if(pads_.begin(), pads_.end(), [&](const Pad& pad) { return pad.id == id; });
+  if (found != pads_.end()) return *found;
+  return pads_.emplace_back(Pad{id, {}, {}});
+}
+
+MenuKeys::Direction MenuKeys::held() const {
+  for (const Pad& pad : pads_) {
+    if (pad.id == last_) return pad.cross == Direction{} ? pad.stick : pad.cross;
+  }
+  return {};
+}
+
 MenuPresses MenuKeys::take(double now_s) {
-  const Direction held = cross_ == Direction{} ? stick_ : cross_;
+  const Direction held = this->held();
   if (!(held == repeated_)) {
     repeated_ = held;
     repeatAt_s_ = now_s + kFirstRepeat_s;

@@ -5,6 +5,10 @@
 #include <SDL_events.h>
 
 #include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "game/input/pad_turns.h"
 
 namespace gw {
 
@@ -18,7 +22,8 @@ struct MenuPresses {
 
 class MenuKeys {
  public:
-  void handle(const SDL_Event& event);
+  // A press of a pad out of its turn is none.
+  void handle(const SDL_Event& event, PadTurns& turns);
 
   // The presses since the last call. Held arrows repeat as the keyboard repeats them, a held cross or stick after
   // 0.4 s and then every 0.08 s; `now_s` is the time for that.
@@ -29,10 +34,20 @@ class MenuKeys {
     int x = 0, y = 0;  // y down
     friend bool operator==(const Direction&, const Direction&) = default;
   };
+  struct Pad {
+    SDL_JoystickID id = 0;
+    Direction stick, cross;  // held
+  };
+  Pad& pad(SDL_JoystickID id);
+  Direction held() const;
+  static Direction changed(Direction before, Direction now);
+  void pressButton(const SDL_ControllerButtonEvent& event, PadTurns& turns);
+  void moveStick(const SDL_ControllerAxisEvent& event, PadTurns& turns);
   void step(Direction direction);
 
   MenuPresses presses_;
-  Direction stick_, cross_;  // held on any pad
+  std::vector<Pad> pads_;
+  std::optional<SDL_JoystickID> last_;  // the pad that pressed last: what it holds repeats
   Direction repeated_;
   double repeatAt_s_ = 0;
 };

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 
+#include "render/sdl_error.h"
+
 namespace gw {
 
 PadDevices::PadDevices() {
   started_ = SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0;
   if (!started_) {
-    problem_ = std::string("Game controllers cannot be used (") + SDL_GetError() +
-               "): play with keyboard and mouse, or check who may read /dev/input.";
+    problem_ = "Game controllers cannot be used" + sdlReason() +
+               ": play with keyboard and mouse, or check who may read /dev/input.";
     return;
   }
   for (int device = 0; device < SDL_NumJoysticks(); ++device) open(device);

@@ -15,6 +15,10 @@ void addMove(InputRecord& record, Stick stick) {
   record.move_y = quantiseStick(y * share);
 }
 
+SDL_JoystickID padOf(const SDL_Event& event) {
+  return event.type == SDL_CONTROLLERAXISMOTION ? event.caxis.which : event.cbutton.which;
+}
+
 }  // namespace
 
 PlayerInput::PlayerInput(const Bindings& bindings) : keys_(withFallBacks(bindings)), pad_(withFallBacks(bindings)) {}
@@ -26,9 +30,9 @@ void PlayerInput::setBindings(const Bindings& bindings) {
 
 void PlayerInput::handle(const SDL_Event& event) {
   if (listening_ && hear(event)) return;
-  menu_.handle(event);
+  menu_.handle(event, turns_);
   keys_.handle(event);
-  pad_.handle(event);
+  pad_.handle(event, turns_);
   if (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN) padInUse_ = false;
   if (event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_CONTROLLERAXISMOTION) {
     const Stick move = pad_.move(), aim = pad_.aim();
@@ -115,6 +119,7 @@ bool PlayerInput::hear(const SDL_Event& event) {
     control = Control{InputDevice::mouse, event.button.button};
   } else {
     control = pad_.pressedBy(event);
+    if (control && !turns_.press(padOf(event), event.common.timestamp)) return false;  // and acts on nothing either
   }
   if (!control) return false;
   heard_ = control;

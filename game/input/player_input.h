@@ -19,6 +19,8 @@ class PlayerInput {
   explicit PlayerInput(const Bindings& bindings = {});
 
   void handle(const SDL_Event& event);
+  // All events of a frame were handled, which SDL began to collect at this time of its clock.
+  void endFrame(uint32_t now_ms) { turns_.looked(now_ms); }
 
   // What is bound from now on, but for a pause that could not be reached (withFallBacks); what is held counts as
   // released.
@@ -65,6 +67,7 @@ class PlayerInput {
   KeyboardMouse keys_;
   Gamepad pad_;
   MenuKeys menu_;
+  PadTurns turns_;
   bool padInUse_ = false, lostPad_ = false;
   bool listening_ = false;
   std::optional<Control> heard_;

@@ -1,7 +1,10 @@
-// play_with_pad [options of gpuwars play]
-// The game itself, with a controller that SDL makes up and that follows stdin, a command a line:
+// play_with_pad [options of gpuwars play or gpuwars replay]
+// The game itself, with controllers that SDL makes up and that follow stdin, a command a line:
 //   attach | detach | axis NAME VALUE | button NAME 0|1        names and values as SDL has them
-// Each is answered by "done" on stdout; the end of stdin leaves the controller as it is.
+//   twin COMMAND                                               the same for a second controller
+//   both MS COMMAND                                            for the first, and MS milliseconds later for the second
+//   ask text_input | pointer_kept | fullscreen                 what SDL says, answered by 0 or 1
+// Each is answered by "done" on stdout; the end of stdin leaves the controllers as they are.
 #include <SDL.h>
 
 #include <cstdio>
@@ -17,16 +20,16 @@
 
 namespace {
 
-SDL_Joystick* pad = nullptr;
+SDL_Joystick* pads[2] = {};
 
-bool attach() {
+bool attach(SDL_Joystick*& pad) {
   const int device = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
                                                SDL_CONTROLLER_BUTTON_MAX, 0);
   pad = device < 0 ? nullptr : SDL_JoystickOpen(device);
   return pad != nullptr;
 }
 
-bool detach() {
+bool detach(SDL_Joystick*& pad) {
   const SDL_JoystickID id = SDL_JoystickInstanceID(pad);
   for (int device = 0; device < SDL_NumJoysticks(); ++device) {
     if (SDL_JoystickGetDeviceInstanceID(device) != id) continue;
@@ -38,15 +41,14 @@ bool detach() {
   return false;
 }
 
-bool obey(const std::string& line) {
-  std::istringstream words(line);
+bool obey(SDL_Joystick*& pad, std::istringstream words) {
   std::string what, name;
   int value = 0;
   words >> what >> name >> value;
   SDL_LockJoysticks();
   bool good = false;
-  if (what == "attach") good = attach();
-  if (what == "detach" && pad) good = detach();
+  if (what == "attach") good = attach(pad);
+  if (what == "detach" && pad) good = detach(pad);
   if (what == "axis" && pad) {
     good = SDL_JoystickSetVirtualAxis(pad, SDL_GameControllerGetAxisFromString(name.c_str()), Sint16(value)) == 0;
   }
@@ -55,6 +57,43 @@ bool obey(const std::string& line) {
   }
   SDL_UnlockJoysticks();
   return good;
+}
+
+std::string answer(const std::string& question) {
+  SDL_Window* window = SDL_GetWindowFromID(1);
+  const auto is = [&](Uint32 flag) { return (SDL_GetWindowFlags(window) & flag) != 0; };
+  if (question == "text_input") return SDL_IsTextInputActive() ? "1" : "0";
+  if (question == "pointer_kept") return is(SDL_WINDOW_MOUSE_GRABBED) ? "1" : "0";
+  return is(SDL_WINDOW_FULLSCREEN) ? "1" : "0";
+}
+
+std::string obey(const std::string& line) {
+  std::istringstream words(line);
+  std::string first;
+  words >> first;
+  const auto rest = [&] {
+    std::string text;
+    std::getline(words, text);
+    return std::istringstream(text);
+  };
+  if (first == "ask") {
+    words >> first;
+    return answer(first);
+  }
+  bool good = false;
+  if (first == "twin") {
+    good = obey(pads[1], rest());
+  } else if (first == "both") {
+    int apart_ms = 0;
+    words >> apart_ms;
+    const std::string command = rest().str();
+    good = obey(pads[0], std::istringstream(command));
+    SDL_Delay(Uint32(apart_ms));
+    good = obey(pads[1], std::istringstream(command)) && good;
+  } else {
+    good = obey(pads[0], std::istringstream(line));
+  }
+  return good ? "done" : std::string("not done: ") + SDL_GetError();
 }
 
 }  // namespace
@@ -73,12 +112,13 @@ int main(int argc, char** argv) {
   }
   std::thread([] {
     for (std::string line; std::getline(std::cin, line);) {
-      std::printf("%s\n", obey(line) ? "done" : SDL_GetError());
+      std::printf("%s\n", obey(line).c_str());
       std::fflush(stdout);
     }
   }).detach();
   try {
-    const auto code = int(gw::playWindow(parsed.options));
+    const bool replay = parsed.options.verb == gw::Verb::replay;
+    const auto code = int(replay ? gw::watchReplay(parsed.options) : gw::playWindow(parsed.options));
     std::fflush(stdout);
     std::_Exit(code);  // the thread may wait for stdin for ever
   } catch (const std::exception& error) {

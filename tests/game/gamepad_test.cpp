@@ -93,23 +93,27 @@ class GamepadTest : public ::testing::Test {
     event.caxis.which = id;
     event.caxis.axis = uint8_t(which);
     event.caxis.value = value;
-    pad.handle(event);
+    event.caxis.timestamp = now_ms;
+    pad.handle(event, turns);
   }
   void button(uint8_t which, bool down, SDL_JoystickID id = 3) {
     SDL_Event event{};
     event.type = down ? SDL_CONTROLLERBUTTONDOWN : SDL_CONTROLLERBUTTONUP;
     event.cbutton.which = id;
     event.cbutton.button = which;
-    pad.handle(event);
+    event.cbutton.timestamp = now_ms;
+    pad.handle(event, turns);
   }
   void remove(SDL_JoystickID id = 3) {
     SDL_Event event{};
     event.type = SDL_CONTROLLERDEVICEREMOVED;
     event.cdevice.which = id;
-    pad.handle(event);
+    pad.handle(event, turns);
   }
 
   Gamepad pad;
+  PadTurns turns;
+  uint32_t now_ms = 0;
 };
 
 TEST_F(GamepadTest, SticksPointUpWhereTheyArePushedUp) {
@@ -174,12 +178,50 @@ TEST_F(GamepadTest, ThePadUsedLastPlaysAndDriftDoesNotCountAsUse) {
   EXPECT_EQ(pad.move().x, 0);
   axis(SDL_CONTROLLER_AXIS_LEFTX, 32767, 2);
   EXPECT_EQ(pad.move().x, 1);
+  now_ms += 1000;
   axis(SDL_CONTROLLER_AXIS_LEFTX, -32767, 1);
   EXPECT_EQ(pad.move().x, -1);
   axis(SDL_CONTROLLER_AXIS_LEFTX, 12000, 2);
   EXPECT_EQ(pad.move().x, -1);
+  now_ms += 1000;
   button(SDL_CONTROLLER_BUTTON_A, true, 2);
   EXPECT_GT(pad.move().x, 0);
+}
+
+TEST_F(GamepadTest, APadThatIsListedTwicePressesOnce) {
+  for (now_ms = 0xffffff00; now_ms != 0x400; now_ms += 64) {  // across the end of the clock
+    for (const uint8_t which : {SDL_CONTROLLER_BUTTON_START, SDL_CONTROLLER_BUTTON_LEFTSHOULDER}) {
+      const SDL_JoystickID first = 1 + int(now_ms / 64 % 2), second = 3 - first;  // either may be the earlier
+      for (const bool down : {true, false}) {
+        button(which, down, first);
+        now_ms += 8;
+        button(which, down, second);
+        now_ms += 56;
+      }
+    }
+    EXPECT_TRUE(pad.pressed(Action::pause) && pad.pressed(Action::flush));
+    EXPECT_FALSE(pad.pressed(Action::pause) || pad.pressed(Action::flush)) << now_ms;
+  }
+}
+
+TEST_F(GamepadTest, AStickOfAPadListedTwiceTakesOverOnce) {
+  axis(SDL_CONTROLLER_AXIS_LEFTX, 20000, 1);
+  now_ms += 8;
+  axis(SDL_CONTROLLER_AXIS_LEFTX, 30000, 1);
+  axis(SDL_CONTROLLER_AXIS_LEFTX, 20000, 2);
+  EXPECT_GT(pad.move().x, 0.85f) << "the later copy does not pull it back";
+  remove(2);
+  EXPECT_FALSE(pad.lost());
+}
+
+TEST_F(GamepadTest, AStickThatIsHeldOutKeepsNoOtherPadFromPressing) {
+  axis(SDL_CONTROLLER_AXIS_LEFTX, 32767, 1);
+  for (int i = 0; i < 20; ++i) {
+    now_ms += 8;
+    axis(SDL_CONTROLLER_AXIS_LEFTX, int16_t(32000 + i), 1);
+  }
+  button(SDL_CONTROLLER_BUTTON_START, true, 2);
+  EXPECT_TRUE(pad.pressed(Action::pause));
 }
 
 TEST_F(GamepadTest, WhenThePadThatPlaysGoesEverythingIsNeutral) {

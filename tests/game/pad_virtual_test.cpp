@@ -3,6 +3,7 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
+#include "game/input/frame_events.h"
 #include "game/input/pad_devices.h"
 #include "game/input/player_input.h"
 
@@ -26,11 +27,18 @@ class VirtualPadTest : public ::testing::Test {
 
   // What a frame does with the events.
   void pump() {
-    SDL_Event event;
-    while (SDL_PollEvent(&event) != 0) {
+    const uint32_t looked_ms = SDL_GetTicks();
+    takeEvents(events);
+    for (const SDL_Event& event : events) {
       pads->handle(event);
       input.handle(event);
     }
+    input.endFrame(looked_ms);
+  }
+  // Long enough for another pad to press.
+  void rest() {
+    SDL_Delay(PadTurns::kQuiet_ms + 10);
+    pump();
   }
   SDL_Joystick* attach() {
     const int device = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
@@ -57,6 +65,7 @@ class VirtualPadTest : public ::testing::Test {
 
   std::unique_ptr<PadDevices> pads;
   PlayerInput input;
+  std::vector<SDL_Event> events;
   std::vector<SDL_Joystick*> sticks;
 };
 
@@ -101,6 +110,7 @@ TEST_F(VirtualPadTest, OfTwoPadsTheOneUsedLastPlaysAndOnlyItsLossPauses) {
   EXPECT_EQ(pads->connected(), 2u);
   SDL_JoystickSetVirtualAxis(first, SDL_CONTROLLER_AXIS_LEFTX, 32767);
   EXPECT_EQ(record().move_x, kStickFull);
+  rest();
   SDL_JoystickSetVirtualAxis(second, SDL_CONTROLLER_AXIS_LEFTY, -32768);
   EXPECT_EQ(record(), (InputRecord{0, kStickFull, 16384, 0}));
   detach(first);
@@ -108,6 +118,26 @@ TEST_F(VirtualPadTest, OfTwoPadsTheOneUsedLastPlaysAndOnlyItsLossPauses) {
   EXPECT_EQ(record().move_y, kStickFull);
   detach(second);
   EXPECT_TRUE(input.lostPad());
+}
+
+// Under sdl2-compat its axes jump to the first values they ever had before it is gone.
+TEST_F(VirtualPadTest, APadThatIsPulledOutDoesNothingOnItsWay) {
+  SDL_Joystick *first = attach(), *second = attach();
+  for (const int16_t value : {32767, 0}) {
+    SDL_JoystickSetVirtualAxis(second, SDL_CONTROLLER_AXIS_RIGHTX, value);
+    record();
+  }
+  rest();
+  SDL_JoystickSetVirtualAxis(first, SDL_CONTROLLER_AXIS_LEFTX, 32767);
+  ASSERT_EQ(record().move_x, kStickFull);
+  rest();
+  input.forgetPresses();
+  input.menu(0);
+  detach(second);
+  EXPECT_EQ(record(), (InputRecord{kStickFull, 0, 0, 0})) << "the other one plays on";
+  EXPECT_FALSE(input.lostPad());
+  const MenuPresses presses = input.menu(0);
+  EXPECT_EQ(presses.up + presses.down + presses.left + presses.right, 0);
 }
 
 TEST_F(VirtualPadTest, APadThatWasThereBeforeIsFound) {

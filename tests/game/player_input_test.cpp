@@ -24,18 +24,31 @@ class PlayerInputTest : public ::testing::Test {
     event.motion.y = y;
     input.handle(event);
   }
-  void axis(SDL_GameControllerAxis which, int16_t value) {
+  void axis(SDL_GameControllerAxis which, int16_t value, SDL_JoystickID id = 0) {
     SDL_Event event{};
     event.type = SDL_CONTROLLERAXISMOTION;
+    event.caxis.which = id;
     event.caxis.axis = uint8_t(which);
     event.caxis.value = value;
+    event.caxis.timestamp = now_ms;
     input.handle(event);
   }
-  void button(uint8_t which, bool down) {
+  void button(uint8_t which, bool down, SDL_JoystickID id = 0) {
     SDL_Event event{};
     event.type = down ? SDL_CONTROLLERBUTTONDOWN : SDL_CONTROLLERBUTTONUP;
+    event.cbutton.which = id;
     event.cbutton.button = which;
+    event.cbutton.timestamp = now_ms;
     input.handle(event);
+  }
+  // By a pad that is listed twice, its events 8 ms apart.
+  void tapTwin(uint8_t which) {
+    for (const bool down : {true, false}) {
+      button(which, down, 1);
+      now_ms += 8;
+      button(which, down, 2);
+      now_ms += 100;
+    }
   }
   void removePad() {
     SDL_Event event{};
@@ -45,6 +58,7 @@ class PlayerInputTest : public ::testing::Test {
   InputRecord record(WorldPoint pointer = {}) { return input.record({0, 0}, pointer); }
 
   PlayerInput input;
+  uint32_t now_ms = 0;
 };
 
 TEST_F(PlayerInputTest, ThePadMovesAimsAndFires) {
@@ -269,6 +283,90 @@ TEST_F(PlayerInputTest, NumberKeysWheelAndClicksAreToldOnce) {
   input.forgetPresses();
   EXPECT_EQ(input.number(), 0u);
   EXPECT_EQ(input.wheel(), 0);
+}
+
+TEST_F(PlayerInputTest, AMenuTakesOneStepForAPadThatIsListedTwice) {
+  tapTwin(kPadDown);
+  tapTwin(kPadDown);
+  EXPECT_EQ(input.menu(0).down, 2);
+  // A stick on its way passes the limit in both copies, and the later one is still below it.
+  for (const int16_t value : {12000, 18000, 21000, 25000, 32000}) {
+    axis(SDL_CONTROLLER_AXIS_LEFTY, value, 1);
+    now_ms += 4;
+    axis(SDL_CONTROLLER_AXIS_LEFTY, int16_t(value - 9000), 2);
+    now_ms += 4;
+  }
+  EXPECT_EQ(input.menu(1).down, 1);
+  EXPECT_EQ(input.menu(1.5).down, 1) << "what is held repeats, once";
+  EXPECT_EQ(input.menu(1.6).down, 1);
+  tapTwin(kPadB);
+  EXPECT_TRUE(input.menu(2).back);
+}
+
+TEST_F(PlayerInputTest, AnotherPadMayPressOnceTheFirstIsQuiet) {
+  button(kPadDown, true, 1);
+  now_ms += PadTurns::kQuiet_ms - 1;
+  button(kPadDown, true, 2);
+  EXPECT_EQ(input.menu(0).down, 1);
+  button(kPadDown, false, 2);
+  now_ms += 1;
+  button(kPadDown, true, 2);
+  EXPECT_EQ(input.menu(0).down, 1);
+  button(kPadDown, false, 2);
+  EXPECT_EQ(input.menu(1).down, 0) << "the first one's hold does not repeat any more";
+}
+
+// At ten frames a second both presses of a twin come with frames that lie 100 ms apart.
+TEST_F(PlayerInputTest, ASlowFrameBetweenTheTwoPressesOfATwinIsNoQuiet) {
+  now_ms = 1000;
+  button(kPadDown, true, 1);
+  input.endFrame(now_ms);
+  now_ms += 100;
+  button(kPadDown, true, 2);
+  input.endFrame(now_ms);
+  EXPECT_EQ(input.menu(0).down, 1);
+  button(kPadDown, false, 1);
+  button(kPadDown, false, 2);
+  input.endFrame(now_ms += 100);
+  now_ms += 100;
+  button(kPadDown, true, 2);
+  EXPECT_EQ(input.menu(0).down, 1) << "a whole frame without a press is";
+}
+
+TEST_F(PlayerInputTest, APadThatIsPluggedInAnewNeedNotWait) {
+  button(kPadDown, true, 1);
+  SDL_Event gone{};
+  gone.type = SDL_CONTROLLERDEVICEREMOVED;
+  gone.cdevice.which = 1;
+  input.handle(gone);
+  button(kPadDown, true, 2);
+  EXPECT_EQ(input.menu(0).down, 2);
+}
+
+// In practice one button brings enemies and the next one fewer; out of it they open the settings and lead back.
+TEST_F(PlayerInputTest, PracticeAsksOnceForAPadThatIsListedTwice) {
+  tapTwin(kPadY);
+  EXPECT_TRUE(input.pressed(Action::spawn) && input.pressed(Action::settings));
+  EXPECT_FALSE(input.pressed(Action::spawn) || input.pressed(Action::settings));
+  tapTwin(kPadB);
+  EXPECT_TRUE(input.pressed(Action::fewer) && input.pressed(Action::quit));
+  EXPECT_FALSE(input.pressed(Action::fewer) || input.pressed(Action::quit));
+}
+
+TEST_F(PlayerInputTest, BindingHearsAPadThatIsListedTwiceOnce) {
+  input.listen();
+  button(kPadB, true, 1);
+  EXPECT_EQ(input.heard(), (Control{InputDevice::pad, kPadB}));
+  now_ms += 8;
+  button(kPadB, true, 2);
+  EXPECT_FALSE(input.pressed(Action::quit)) << "the second copy acts on nothing";
+  EXPECT_FALSE(input.menu(0).back);
+  input.listen();
+  button(kPadX, true, 2);
+  EXPECT_EQ(input.heard(), std::nullopt) << "nor is it heard";
+  now_ms += 100;
+  axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 32767, 2);
+  EXPECT_EQ(input.heard(), (Control{InputDevice::pad, kPadLeftTrigger}));
 }
 
 }  // namespace
