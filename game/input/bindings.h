@@ -64,6 +64,11 @@ constexpr bool isInstrumentKey(uint32_t key) {
   return key >= kKeyOverlay && key <= kKeyBroadPhase;
 }
 
+// Keys of the replay viewer (docs/watching.md). They are fixed as well: . , = - C H 0 of a US keyboard, and WASD.
+inline constexpr uint16_t kViewerStepOn = 55, kViewerStepBack = 54, kViewerFaster = 46, kViewerSlower = 45,
+                          kViewerCamera = 6, kViewerHelp = 11, kViewerShip = 39;
+inline constexpr uint16_t kViewerPan[] = {26, 4, 22, 7};  // up, left, down, right
+
 // Something a hand can press.
 struct Control {
   InputDevice device;

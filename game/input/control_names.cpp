@@ -1,9 +1,12 @@
 #include "game/input/control_names.h"
 
 #include <SDL_gamecontroller.h>
-#include <SDL_keyboard.h>
+#include <SDL_scancode.h>
 
 #include <algorithm>
+
+#include "game/input/key_labels.h"
+#include "game/input/key_names.h"
 
 namespace gw {
 
@@ -30,15 +33,12 @@ std::string numbered(Control control) {
   return (control.device == InputDevice::keyboard ? "Key " : "Button ") + std::to_string(control.code);
 }
 
-// The library's own name; empty when there is none.
+// Empty when there is none.
 std::string ownName(Control control) {
   const char* name = nullptr;
   switch (control.device) {
     case InputDevice::keyboard:
-      name = SDL_GetScancodeName(SDL_Scancode(control.code));
-      // A name that two keys share belongs to the one that it gives back.
-      if (name && SDL_GetScancodeFromName(name) != SDL_Scancode(control.code)) name = nullptr;
-      break;
+      return std::string(keyName(control.code));
     case InputDevice::mouse:
       return control.code < std::size(kMouseNames) ? std::string(kMouseNames[control.code]) : "";
     case InputDevice::pad:
@@ -75,6 +75,9 @@ std::optional<Control> controlFromName(InputDevice device, std::string_view name
   for (uint32_t code = range.first; code < range.end; ++code) {
     const Control control{device, uint16_t(code)};
     if (sameIgnoringCase(name, controlName(control))) return control;
+    if (device != InputDevice::keyboard) continue;
+    const std::string later = laterKeyName(control.code);
+    if (!later.empty() && sameIgnoringCase(name, later)) return control;
   }
   return std::nullopt;
 }
@@ -88,9 +91,9 @@ std::string controlLabel(Control control) {
     if (control.code == kPadRightTrigger) return "RT";
     if (control.code < std::size(kShort)) return std::string(kShort[control.code]);
   }
-  std::string label = controlName(control);
-  if (control.device == InputDevice::keyboard && control.code == kKeyEscape) label = "Esc";
-  if (control.device == InputDevice::keyboard && control.code == kKeyEnter) label = "Enter";
+  std::string label = control.device == InputDevice::keyboard ? keyLabel(control.code) : controlName(control);
+  if (label == "Escape") label = "Esc";
+  if (label == "Return") label = "Enter";
   std::transform(label.begin(), label.end(), label.begin(),
                  [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
   if (control.device == InputDevice::mouse && control.code <= 3) return std::string(1, label[0]) + "MB";

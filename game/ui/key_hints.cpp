@@ -1,8 +1,10 @@
 #include "game/ui/key_hints.h"
 
 #include <algorithm>
+#include <array>
 
 #include "game/input/control_names.h"
+#include "game/input/key_labels.h"
 
 namespace gw {
 
@@ -14,17 +16,35 @@ std::string first(const Bindings& bindings, InputDevice device, Action action, c
 }
 
 // Four keys as one word: "WASD", "ARROWS", else "KEYPAD 8, KEYPAD 4, ...".
-std::string cross(const Bindings& bindings, Action up, Action left, Action down, Action right) {
+std::string together(const std::array<std::string, 4>& labels) {
   std::string letters, list;
   bool single = true;
-  for (const Action action : {up, left, down, right}) {
-    const std::string label = first(bindings, InputDevice::keyboard, action, "-");
+  for (const std::string& label : labels) {
     single &= label.size() == 1;
     letters += label;
     list += (list.empty() ? "" : ", ") + label;
   }
   if (list == "UP, LEFT, DOWN, RIGHT") return "ARROWS";
   return single ? letters : list;
+}
+
+std::string cross(const Bindings& bindings, Action up, Action left, Action down, Action right) {
+  const auto label = [&](Action action) { return first(bindings, InputDevice::keyboard, action, "-"); };
+  return together({label(up), label(left), label(down), label(right)});
+}
+
+void nameViewerKeys(KeyHints& hints) {
+  const auto label = [](uint16_t code) { return controlLabel({InputDevice::keyboard, code}); };
+  hints.stepOn = label(kViewerStepOn);
+  hints.stepBack = label(kViewerStepBack);
+  // The viewer takes these two by what is printed on them as well (viewer_keys.cpp).
+  hints.faster = layoutHas('+') ? "+" : label(kViewerFaster);
+  if (hints.faster == "=") hints.faster = "+";  // that key with Shift
+  hints.slower = layoutHas('-') ? "-" : label(kViewerSlower);
+  hints.camera = label(kViewerCamera);
+  hints.help = label(kViewerHelp);
+  hints.ship = label(kViewerShip);
+  hints.pan = together({label(kViewerPan[0]), label(kViewerPan[1]), label(kViewerPan[2]), label(kViewerPan[3])});
 }
 
 std::string lower(std::string text) {
@@ -71,6 +91,8 @@ KeyHints keyHints(const Bindings& given, bool pad) {
   hints.fewer = key(Action::fewer, "-");
   hints.slowMotion = key(Action::slowMotion, "-");
   hints.fullscreen = first(bindings, InputDevice::keyboard, Action::fullscreen, "-");
+  hints.mute = first(bindings, InputDevice::keyboard, Action::mute, "-");
+  nameViewerKeys(hints);
   return hints;
 }
 

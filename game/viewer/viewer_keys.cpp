@@ -1,81 +1,81 @@
 #include "game/viewer/viewer_keys.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
+
+#include "game/input/bindings.h"
 
 namespace gw {
 
+static_assert(kViewerStepOn == SDL_SCANCODE_PERIOD && kViewerStepBack == SDL_SCANCODE_COMMA);
+static_assert(kViewerFaster == SDL_SCANCODE_EQUALS && kViewerSlower == SDL_SCANCODE_MINUS);
+static_assert(kViewerCamera == SDL_SCANCODE_C && kViewerHelp == SDL_SCANCODE_H && kViewerShip == SDL_SCANCODE_0);
+static_assert(kViewerPan[0] == SDL_SCANCODE_W && kViewerPan[1] == SDL_SCANCODE_A);
+static_assert(kViewerPan[2] == SDL_SCANCODE_S && kViewerPan[3] == SDL_SCANCODE_D);
+
 namespace {
 
-// Places on the board, so that they are a cross on every layout.
 int crossIndex(SDL_Scancode code) {
-  switch (code) {
-    case SDL_SCANCODE_W:
-      return 0;
-    case SDL_SCANCODE_A:
-      return 1;
-    case SDL_SCANCODE_S:
-      return 2;
-    case SDL_SCANCODE_D:
-      return 3;
-    default:
-      return -1;
-  }
+  const auto* found = std::find(std::begin(kViewerPan), std::end(kViewerPan), uint16_t(code));
+  return found == std::end(kViewerPan) ? -1 : int(found - std::begin(kViewerPan));
+}
+
+// +1 and -1 for the keys of the speed. A layout that has plus and minus elsewhere has them there too, and what is
+// printed on a key beats its place.
+int speedSteps(const SDL_Keysym& key) {
+  if (key.sym == SDLK_PLUS) return 1;
+  if (key.sym == SDLK_MINUS) return -1;
+  if (key.scancode == kViewerFaster || key.scancode == SDL_SCANCODE_KP_PLUS) return 1;
+  return key.scancode == kViewerSlower || key.scancode == SDL_SCANCODE_KP_MINUS ? -1 : 0;
 }
 
 }  // namespace
 
-// By what is printed on the key: plus and comma lie elsewhere on other layouts. Held keys repeat.
+// Held keys repeat.
 bool ViewerKeys::press(const SDL_Keysym& key) {
-  const bool shift = (key.mod & KMOD_SHIFT) != 0;
-  switch (key.sym) {
-    case SDLK_SPACE:
+  const int far_s = (key.mod & KMOD_SHIFT) != 0 ? 60 : 5;
+  switch (key.scancode) {
+    case SDL_SCANCODE_SPACE:
       ++presses_.pauses;
       return true;
-    case SDLK_h:
+    case kViewerHelp:
       ++presses_.helps;
       return true;
-    case SDLK_PERIOD:
+    case kViewerStepOn:
       ++presses_.ticks;
       return true;
-    case SDLK_COMMA:
+    case kViewerStepBack:
       --presses_.ticks;
       return true;
-    case SDLK_PLUS:
-    case SDLK_EQUALS:
-    case SDLK_KP_PLUS:
-      ++presses_.speeds;
+    case SDL_SCANCODE_LEFT:
+      presses_.seconds -= far_s;
       return true;
-    case SDLK_MINUS:
-    case SDLK_KP_MINUS:
-      --presses_.speeds;
+    case SDL_SCANCODE_RIGHT:
+      presses_.seconds += far_s;
       return true;
-    case SDLK_LEFT:
-      presses_.seconds -= shift ? 60 : 5;
-      return true;
-    case SDLK_RIGHT:
-      presses_.seconds += shift ? 60 : 5;
-      return true;
-    case SDLK_PAGEUP:
+    case SDL_SCANCODE_PAGEUP:
       presses_.seconds -= 60;
       return true;
-    case SDLK_PAGEDOWN:
+    case SDL_SCANCODE_PAGEDOWN:
       presses_.seconds += 60;
       return true;
-    case SDLK_HOME:
+    case SDL_SCANCODE_HOME:
       presses_.home = true;
       return true;
-    case SDLK_END:
+    case SDL_SCANCODE_END:
       presses_.end = true;
       return true;
-    case SDLK_c:
+    case kViewerCamera:
       presses_.freeCamera = true;
       return true;
-    case SDLK_0:
-    case SDLK_KP_0:
+    case kViewerShip:
+    case SDL_SCANCODE_KP_0:
       presses_.followShip = true;
       return true;
     default:
-      return false;
+      presses_.speeds += speedSteps(key);
+      return speedSteps(key) != 0;
   }
 }
 
@@ -85,7 +85,8 @@ bool ViewerKeys::handle(const SDL_Event& event) {
       const SDL_Keysym& key = event.key.keysym;
       const int cross = crossIndex(key.scancode);
       if (cross >= 0) return held_[cross] = true;
-      const bool once = key.sym == SDLK_SPACE || key.sym == SDLK_h || key.sym == SDLK_c;  // toggles do not flutter
+      const bool once = key.scancode == SDL_SCANCODE_SPACE || key.scancode == kViewerHelp ||
+                        key.scancode == kViewerCamera;  // toggles do not flutter
       return (event.key.repeat != 0 && once) || press(key);
     }
     case SDL_KEYUP:

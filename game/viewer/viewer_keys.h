@@ -1,5 +1,5 @@
-// Keys and mouse while a replay is watched. They are fixed and come first; the game's own bindings (pause, quit, full
-// screen, mute) get what is left.
+// Keys and mouse while a replay is watched. They are fixed, by place as all keys (bindings.h), and come first; the
+// game's own bindings (pause, quit, full screen, mute) get what is left.
 #pragma once
 
 #include <SDL_events.h>
@@ -41,7 +41,7 @@ class ViewerKeys {
   bool press(const SDL_Keysym& key);
 
   ViewerPresses presses_;
-  bool held_[4] = {};  // W A S D
+  bool held_[4] = {};  // as kViewerPan
   bool button_ = false, seen_ = false;
   float x_ = 0, y_ = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace gw {
 
-class RememberingCanvas final : public Canvas {
+class RememberingCanvas : public Canvas {
  public:
   struct Text {
     std::string text;
@@ -27,7 +27,9 @@ class RememberingCanvas final : public Canvas {
   void gradient(float left, float top, float width, float height, Rgba, Rgba) override {
     gradients.push_back({left, top, width, height});
   }
-  void outline(float, float, float, float, float, Rgba) override {}
+  void outline(float left, float top, float width, float height, float, Rgba) override {
+    outlines.push_back({left, top, width, height});
+  }
   void line(float, float, float, float, float, Rgba) override { ++lines; }
   void triangle(float, float, float, float, float, float, Rgba) override { ++triangles; }
   void text(std::string_view text, float x, float baseline, const TextStyle& style) override {
@@ -43,19 +45,22 @@ class RememberingCanvas final : public Canvas {
   }
 
   // What lies outside of the canvas, or empty.
-  std::string outside() const {
+  std::string outside() const { return outside({0, 0, width(), kHeight}); }
+  // The same for a box on it.
+  std::string outside(const Bar& box) const {
     for (const Text& text : texts) {
       const float across = textWidth(text.text, text.style.size_px);
       const float left = text.style.align == TextAlign::left     ? text.x
                          : text.style.align == TextAlign::centre ? text.x - across / 2
                                                                  : text.x - across;
-      if (left < 0 || left + across > width() || text.baseline > kHeight) return text.text;
+      if (left < box.left || left + across > box.left + box.width) return text.text;
+      if (text.baseline < box.top || text.baseline > box.top + box.height) return text.text;
     }
     return "";
   }
 
   std::vector<Text> texts;
-  std::vector<Bar> bars, gradients;
+  std::vector<Bar> bars, gradients, outlines;
   int lines = 0, triangles = 0;
 };
 

@@ -58,8 +58,12 @@ TEST(KeyHints, NameTheKeysAsTheyAreBound) {
   EXPECT_EQ(usual.move, written.move);
   EXPECT_EQ(usual.aim, written.aim);
   EXPECT_EQ(usual.confirmToo, written.confirmToo);
-  for (const auto hint : {&KeyHints::flush, &KeyHints::pause, &KeyHints::confirm, &KeyHints::retry, &KeyHints::quit,
-                          &KeyHints::settings, &KeyHints::fullscreen}) {
+  for (const auto hint :
+       {&KeyHints::flush,    &KeyHints::pause,      &KeyHints::confirm,    &KeyHints::retry,  &KeyHints::quit,
+        &KeyHints::settings, &KeyHints::fullscreen, &KeyHints::mute,       &KeyHints::spawn,  &KeyHints::clear,
+        &KeyHints::more,     &KeyHints::fewer,      &KeyHints::slowMotion, &KeyHints::stepOn, &KeyHints::stepBack,
+        &KeyHints::faster,   &KeyHints::slower,     &KeyHints::camera,     &KeyHints::help,   &KeyHints::ship,
+        &KeyHints::pan}) {
     EXPECT_EQ(usual.*hint, written.*hint) << "the defaults are the defaults";
   }
   Bindings bindings;

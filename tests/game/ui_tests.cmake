@@ -4,7 +4,8 @@ target_link_libraries(game_pacing_test PRIVATE gw_pacing GTest::gtest_main)
 gtest_discover_tests(game_pacing_test)
 
 if(GW_WINDOW)
-  add_executable(game_input_test frame_events_test.cpp gamepad_test.cpp input_test.cpp pad_virtual_test.cpp player_input_test.cpp)
+  add_executable(game_input_test frame_events_test.cpp gamepad_test.cpp input_test.cpp key_labels_test.cpp
+    pad_virtual_test.cpp player_input_test.cpp)
   target_include_directories(game_input_test SYSTEM PRIVATE ${GW_RAPIDCHECK_INCLUDE_DIR})
   target_link_libraries(game_input_test PRIVATE gw_input ${GW_RAPIDCHECK_LIBRARY} GTest::gtest_main)
   gtest_discover_tests(game_input_test)

@@ -6,13 +6,12 @@
 namespace gw::test {
 namespace {
 
-SDL_Event key(SDL_Keycode sym, bool down = true, uint16_t mod = 0, bool repeat = false) {
+// sym: what the layout has there, where that matters.
+SDL_Event key(SDL_Scancode code, bool down = true, uint16_t mod = 0, bool repeat = false, SDL_Keycode sym = 0) {
   SDL_Event event{};
   event.type = down ? SDL_KEYDOWN : SDL_KEYUP;
+  event.key.keysym.scancode = code;
   event.key.keysym.sym = sym;
-  // SDL knows no keyboard before it has a window.
-  if (sym == SDLK_w) event.key.keysym.scancode = SDL_SCANCODE_W;
-  if (sym == SDLK_a) event.key.keysym.scancode = SDL_SCANCODE_A;
   event.key.keysym.mod = mod;
   event.key.repeat = repeat;
   return event;
@@ -37,12 +36,13 @@ SDL_Event motion(int x, int y) {
 
 TEST(ViewerKeys, SayWhatWasPressedOnce) {
   ViewerKeys keys;
-  for (const SDL_Keycode sym : {SDLK_SPACE, SDLK_PERIOD, SDLK_PERIOD, SDLK_COMMA, SDLK_EQUALS, SDLK_HOME, SDLK_c}) {
-    EXPECT_TRUE(keys.handle(key(sym)));
+  for (const SDL_Scancode code : {SDL_SCANCODE_SPACE, SDL_SCANCODE_PERIOD, SDL_SCANCODE_PERIOD, SDL_SCANCODE_COMMA,
+                                  SDL_SCANCODE_EQUALS, SDL_SCANCODE_HOME, SDL_SCANCODE_C}) {
+    EXPECT_TRUE(keys.handle(key(code)));
   }
-  EXPECT_TRUE(keys.handle(key(SDLK_RIGHT)));
-  EXPECT_TRUE(keys.handle(key(SDLK_LEFT, true, KMOD_LSHIFT)));
-  EXPECT_TRUE(keys.handle(key(SDLK_PAGEDOWN)));
+  EXPECT_TRUE(keys.handle(key(SDL_SCANCODE_RIGHT)));
+  EXPECT_TRUE(keys.handle(key(SDL_SCANCODE_LEFT, true, KMOD_LSHIFT)));
+  EXPECT_TRUE(keys.handle(key(SDL_SCANCODE_PAGEDOWN)));
   const ViewerPresses presses = keys.take();
   EXPECT_EQ(presses.pauses, 1);
   EXPECT_EQ(presses.ticks, 1);
@@ -55,29 +55,57 @@ TEST(ViewerKeys, SayWhatWasPressedOnce) {
 
 TEST(ViewerKeys, RepeatStepsButNoSwitches) {
   ViewerKeys keys;
-  keys.handle(key(SDLK_SPACE));
-  EXPECT_TRUE(keys.handle(key(SDLK_SPACE, true, 0, true))) << "taken, and nothing done";
-  keys.handle(key(SDLK_PERIOD));
-  keys.handle(key(SDLK_PERIOD, true, 0, true));
+  keys.handle(key(SDL_SCANCODE_SPACE));
+  EXPECT_TRUE(keys.handle(key(SDL_SCANCODE_SPACE, true, 0, true))) << "taken, and nothing done";
+  keys.handle(key(SDL_SCANCODE_PERIOD));
+  keys.handle(key(SDL_SCANCODE_PERIOD, true, 0, true));
   const ViewerPresses presses = keys.take();
   EXPECT_EQ(presses.pauses, 1);
   EXPECT_EQ(presses.ticks, 2);
 }
 
+TEST(ViewerKeys, GoByPlaceOnEveryLayout) {
+  ViewerKeys keys;
+  // Russian and French: no key gives "." or "c" there, and the one below is the game's own mute.
+  keys.handle(key(SDL_SCANCODE_PERIOD, true, 0, false, 0x44e));
+  keys.handle(key(SDL_SCANCODE_PERIOD, true, 0, false, SDLK_COLON));
+  keys.handle(key(SDL_SCANCODE_C, true, 0, false, 0x441));
+  EXPECT_FALSE(keys.handle(key(SDL_SCANCODE_M, true, 0, false, SDLK_COMMA)));
+  const ViewerPresses presses = keys.take();
+  EXPECT_EQ(presses.ticks, 2);
+  EXPECT_TRUE(presses.freeCamera);
+}
+
+TEST(ViewerKeys, TakePlusAndMinusWhereTheLayoutHasThem) {
+  ViewerKeys keys;
+  const auto steps = [&](SDL_Scancode code, SDL_Keycode sym) {
+    EXPECT_TRUE(keys.handle(key(code, true, 0, false, sym)));
+    return keys.take().speeds;
+  };
+  EXPECT_EQ(steps(SDL_SCANCODE_EQUALS, SDLK_EQUALS), 1);
+  EXPECT_EQ(steps(SDL_SCANCODE_MINUS, SDLK_MINUS), -1);
+  EXPECT_EQ(steps(SDL_SCANCODE_KP_PLUS, SDLK_KP_PLUS), 1);
+  EXPECT_EQ(steps(SDL_SCANCODE_RIGHTBRACKET, SDLK_PLUS), 1) << "German";
+  EXPECT_EQ(steps(SDL_SCANCODE_SLASH, SDLK_MINUS), -1) << "German";
+  EXPECT_EQ(steps(SDL_SCANCODE_MINUS, SDLK_PLUS), 1) << "Swedish";
+  EXPECT_EQ(steps(SDL_SCANCODE_MINUS, SDLK_RIGHTPAREN), -1) << "French";
+}
+
 TEST(ViewerKeys, LeaveTheGamesOwnKeysAlone) {
   ViewerKeys keys;
-  for (const SDL_Keycode sym : {SDLK_ESCAPE, SDLK_p, SDLK_q, SDLK_f, SDLK_m, SDLK_RETURN}) {
-    EXPECT_FALSE(keys.handle(key(sym)));
+  for (const SDL_Scancode code :
+       {SDL_SCANCODE_ESCAPE, SDL_SCANCODE_P, SDL_SCANCODE_Q, SDL_SCANCODE_F, SDL_SCANCODE_M, SDL_SCANCODE_RETURN}) {
+    EXPECT_FALSE(keys.handle(key(code)));
   }
 }
 
 TEST(ViewerKeys, HoldThePanUntilReleasedOrTheWindowLosesTheFocus) {
   ViewerKeys keys;
-  keys.handle(key(SDLK_w));
-  keys.handle(key(SDLK_a));
+  keys.handle(key(SDL_SCANCODE_W));
+  keys.handle(key(SDL_SCANCODE_A));
   EXPECT_EQ(keys.pan_x(), -1);
   EXPECT_EQ(keys.pan_y(), 1);
-  keys.handle(key(SDLK_a, false));
+  keys.handle(key(SDL_SCANCODE_A, false));
   EXPECT_EQ(keys.pan_x(), 0);
   SDL_Event lost{};
   lost.type = SDL_WINDOWEVENT;

@@ -1,11 +1,13 @@
 // What is shown around a replay, and what hand and mouse say: time bar, hints, speeds, free camera.
 #include <gtest/gtest.h>
 
+#include "game/ui/key_hints.h"
 #include "game/viewer/free_camera.h"
 #include "game/viewer/speeds.h"
 #include "game/viewer/time_bar.h"
 #include "game/viewer/viewer_help.h"
 #include "remembering_canvas.h"
+#include "render/text_font.h"
 
 namespace gw::test {
 namespace {
@@ -50,6 +52,51 @@ TEST(ViewerHelp, NamesEveryKeyWithinThePicture) {
     EXPECT_TRUE(canvas.says(key)) << key;
   }
   EXPECT_EQ(canvas.outside(), "");
+}
+
+// With the typeface's own widths. 720 units are the height of every window; 960 is the width of one at 4:3.
+class CanvasOfWindow final : public RememberingCanvas {
+ public:
+  explicit CanvasOfWindow(PixelSize window) : width_(kHeight * float(window.width) / float(window.height)) {}
+  float width() const override { return width_; }
+  float textWidth(std::string_view text, float size) const override {
+    static const TextFont font = loadTextFont(GW_ASSETS_DIR);
+    return font.width_px(text, size);
+  }
+
+ private:
+  float width_;
+};
+
+TEST(ViewerHelp, LiesWithinItsBoxAndThePicture) {
+  KeyHints german, long_names;
+  german.faster = "US =", german.slower = "US -", german.stepBack = "US ,";
+  long_names.fullscreen = long_names.mute = long_names.quit = "BRIGHTNESSDOWN";
+  for (const KeyHints& keys : {KeyHints(), german, long_names}) {
+    for (const PixelSize window : {PixelSize{1280, 720}, {1920, 1080}, {2560, 1080}, {800, 600}}) {
+      CanvasOfWindow canvas(window);
+      drawViewerHelp(canvas, keys);
+      ASSERT_EQ(canvas.outlines.size(), 1u);
+      const auto& box = canvas.outlines[0];
+      EXPECT_EQ(canvas.outside({box.left + 8, box.top + 8, box.width - 16, box.height - 16}), "") << window.width;
+      EXPECT_EQ(canvas.outside(), "");
+      EXPECT_LE(box.left + box.width, canvas.width());
+      EXPECT_EQ(canvas.bars[0].width, box.width);
+    }
+  }
+}
+
+TEST(ViewerHelp, CallsTheKeysAsTheLayoutDoes) {
+  KeyHints french;
+  french.stepOn = ":", french.stepBack = ";", french.slower = ")", french.pan = "ZQSD", french.mute = ",",
+  french.quit = "A";
+  RememberingCanvas help, hints, paused;
+  drawViewerHelp(help, french);
+  drawViewerHints(hints, false, french, "");
+  drawViewerHints(paused, true, french, "");
+  for (const char* key : {": ;", "+ )", "ZQSD, DRAG", "F ,", "ESC  A"}) EXPECT_TRUE(help.says(key)) << key;
+  EXPECT_TRUE(hints.says(") + speed") && hints.says("A leave"));
+  EXPECT_TRUE(paused.says(": ; tick"));
 }
 
 TEST(ViewerHelp, HintsGiveWayToALongBanner) {
