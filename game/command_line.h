@@ -56,7 +56,8 @@ struct Options {
   std::filesystem::path settingsPath;  // empty: the usual place
 
   // replay
-  double speed = 1;  // times real time
+  double speed = 1;        // times real time
+  bool quitAtEnd = false;  // nobody needs to leave it by hand
 
   // replay, render
   std::optional<uint32_t> fromTick;

@@ -169,6 +169,7 @@ void VerbOptions::addReplay() {
   values_.number("--speed", "times real time (1)", 0.1, 16, [&](double v) { options_.speed = v; });
   values_.integer("--from", "the tick to start watching at", 0, kMaxTicks,
                   [&](uint64_t v) { options_.fromTick = uint32_t(v); });
+  values_.flag("--quit-at-end", "leave after the last tick", [&] { options_.quitAtEnd = true; });
 }
 
 void VerbOptions::addRender() {

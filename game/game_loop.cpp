@@ -31,15 +31,12 @@ float aspectOf(PixelSize size) {
 }  // namespace
 
 GameLoop::GameLoop(const Options& options, const Settings& settings)
-    : effects_(settings.effects),
-      sound_(settings.sound),
-      mute_(options.mute),
-      fullscreen_(options.fullscreen || settings.fullscreen) {
+    : effects_(settings.effects), sound_(settings.sound), mute_(options.mute) {
   catchInterrupts();  // Ctrl-C closes the window, so that recordings are kept
   chooseDisplay();
   WindowOptions window;
   window.size = {int(options.width_px), int(options.height_px)};
-  window.fullscreen = fullscreen_;
+  window.fullscreen = options.fullscreen || settings.fullscreen;
   try {
     context_ = makeSdlContext(window);
   } catch (const std::runtime_error& error) {
@@ -50,9 +47,8 @@ GameLoop::GameLoop(const Options& options, const Settings& settings)
   if (!pads_->problem().empty()) std::fprintf(stderr, "%s\n", pads_->problem().c_str());
   input_.setBindings(settings.bindings);
   input_.setDeadZones(settings.pad.moveDeadZone, settings.pad.aimDeadZone);
-  SDL_DisplayMode mode{};
-  const int display = std::max(0, SDL_GetWindowDisplayIndex(context_->window()));
-  if (SDL_GetCurrentDisplayMode(display, &mode) == 0 && mode.refresh_rate > 0) period_s_ = 1.0 / mode.refresh_rate;
+  limiter_.setScreenRate(context_->screenRate());
+  if (window.fullscreen) fullscreen_.ask(true, clock_s());
 }
 
 GameLoop::~GameLoop() {
@@ -69,7 +65,7 @@ void GameLoop::apply(const Settings& settings) {
   input_.setBindings(settings.bindings);
   input_.setDeadZones(settings.pad.moveDeadZone, settings.pad.aimDeadZone);
   effects_ = settings.effects;
-  if (settings.fullscreen != fullscreen_) context_->setFullscreen(fullscreen_ = settings.fullscreen);
+  if (settings.fullscreen != fullscreen()) switchFullscreen(settings.fullscreen);
   if (settings.sound.muted != sound_.muted) mute(settings.sound.muted);
   sound_ = settings.sound;
   audio_->setVolumes(sound_);
@@ -80,21 +76,33 @@ void GameLoop::mute(bool on) {
   sound_.muted = on;
 }
 
+void GameLoop::switchFullscreen(bool on) {
+  context_->setFullscreen(on);
+  fullscreen_.ask(on, clock_s());
+}
+
 bool GameLoop::beginFrame() {
   const uint32_t looked_ms = SDL_GetTicks();
   takeEvents(events_);
   for (const SDL_Event& event : events_) {
     if (event.type == SDL_QUIT) closed_ = true;
+    if (event.type == SDL_WINDOWEVENT) limiter_.setScreenRate(context_->screenRate());  // it may be on another screen
     if (instruments_->handle(event) || (listener_ && listener_(event))) continue;
     pads_->handle(event);
     input_.handle(event);
   }
   input_.endFrame(looked_ms);
-  if (input_.pressed(Action::fullscreen)) context_->setFullscreen(fullscreen_ = !fullscreen_);
+  if (input_.pressed(Action::fullscreen)) switchFullscreen(!fullscreen());
   if (input_.pressed(Action::mute)) mute(!audio_->muted());
   last_s_ = now_s_;
   now_s_ = clock_s();
   if (last_s_ == 0) last_s_ = now_s_;
+  if (fullscreen_.look(context_->fullscreen(), now_s_)) {
+    std::fprintf(stderr,
+                 "The window system did not switch full screen %s: it takes a window manager, or --width and "
+                 "--height of the screen.\n",
+                 fullscreen() ? "off" : "on");
+  }
   pacer_.frame(now_s_);
   return !closed_ && !interrupted();
 }
@@ -161,6 +169,18 @@ void GameLoop::moveCamera(const Run& run, float alpha, float aspect) {
 
 void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens) {
   instruments_->work(run, now_s_);
+  const bool hidden = context_->hidden();
+  if (hidden) {
+    run.simulation().park();
+  } else {
+    draw(run, rules, brightness, screens);
+    context_->swap();
+  }
+  limitFrames(hidden);
+  countFrame();
+}
+
+void GameLoop::draw(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens) {
   const PixelSize size = context_->size();
   const float alpha = pacer_.alpha();
   if (run.last().tick == 0 && !place_) {
@@ -182,9 +202,6 @@ void GameLoop::endFrame(Run& run, const Rules& rules, float brightness, const Wo
     instruments_->drawNotice(canvas, now_s_);
   });
   instruments_->drawOverlay(run.last(), rules, realFps_, cursorShown_);
-  context_->swap();
-  limitFrames();
-  countFrame();
 }
 
 void GameLoop::updateSound(Scene scene) {
@@ -202,6 +219,11 @@ void GameLoop::showCursor(bool on) {
   cursorShown_ = on;
 }
 
+void GameLoop::keepPointer(bool on) {
+  if (on != pointerKept_) context_->keepPointer(on);
+  pointerKept_ = on;
+}
+
 void GameLoop::drawCrosshair(Canvas& canvas) const {
   if (!input_.aimsByMouse()) return;
   int width = 1, height = 1;
@@ -216,12 +238,9 @@ void GameLoop::drawCrosshair(Canvas& canvas) const {
   canvas.rectangle(x - 1, y - 1, 2, 2, colour);
 }
 
-void GameLoop::limitFrames() {
-  if (context_->verticalSync()) return;
-  nextFrame_s_ += period_s_;
-  const double now = clock_s();
-  if (nextFrame_s_ < now) nextFrame_s_ = now;  // late: the next frame is due from here
-  std::this_thread::sleep_for(std::chrono::duration<double>(nextFrame_s_ - now));
+void GameLoop::limitFrames(bool hidden) {
+  const double wait_s = limiter_.wait_s(clock_s(), context_->verticalSync(), hidden);
+  if (wait_s > 0) std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
 }
 
 void GameLoop::countFrame() {

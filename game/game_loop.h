@@ -10,6 +10,8 @@
 #include "game/audio/audio.h"
 #include "game/camera.h"
 #include "game/command_line.h"
+#include "game/frame_limiter.h"
+#include "game/fullscreen_switch.h"
 #include "game/input/pad_devices.h"
 #include "game/input/player_input.h"
 #include "game/instruments/instruments.h"
@@ -36,7 +38,7 @@ class GameLoop {
 
   // What the player chose anew, from the next frame on.
   void apply(const Settings& settings);
-  bool fullscreen() const { return fullscreen_; }
+  bool fullscreen() const { return fullscreen_.on(); }
   bool muted() const { return sound_.muted; }  // --mute is not the player's choice
 
   // How F5 makes another simulation of the run (Instruments).
@@ -70,12 +72,15 @@ class GameLoop {
   // The next picture is of another moment: the camera does not fly there.
   void jump() { jumped_ = true; }
 
-  // Draws the run and the screens over it, shows the picture, and waits where the screen does not.
+  // Draws the run and the screens over it, shows the picture, and waits where the screen does not. Of a hidden window
+  // nothing is drawn.
   void endFrame(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens);
 
   // Another run begins: its camera and its clock start afresh.
   void startAfresh(Run& run);
   void showCursor(bool on);
+  // Keeps the pointer in the window while it has the focus.
+  void keepPointer(bool on);
   void drawCrosshair(Canvas& canvas) const;
 
   // What the frame sounds like; after the screen of this frame is known.
@@ -91,7 +96,9 @@ class GameLoop {
  private:
   void mute(bool on);
   void moveCamera(const Run& run, float alpha, float aspect);
-  void limitFrames();
+  void draw(Run& run, const Rules& rules, float brightness, const WorldView::Screens& screens);
+  void switchFullscreen(bool on);
+  void limitFrames(bool hidden);
   void countFrame();
 
   std::unique_ptr<SdlContext> context_;
@@ -109,13 +116,14 @@ class GameLoop {
   bool jumped_ = false;
   double now_s_ = 0, last_s_ = 0;
   double drawn_s_ = 0;  // the last picture's time
-  double nextFrame_s_ = 0, period_s_ = 1.0 / 60;
+  FrameLimiter limiter_;
   double countedSince_s_ = 0, realFps_ = 0;
   double overSince_s_ = 0;  // 0: the run is not over
   uint32_t counted_ = 0;
   Settings::Sound sound_;  // as the player chose, in the settings or by key
   bool mute_ = false;      // --mute: holds until the player chooses
-  bool fullscreen_ = false, cursorShown_ = true, closed_ = false;
+  FullscreenSwitch fullscreen_;
+  bool cursorShown_ = true, pointerKept_ = false, closed_ = false;
 };
 
 }  // namespace gw

@@ -17,13 +17,15 @@ bool set(const char* variable) {
 }  // namespace
 
 void chooseDisplay() {
-  if (set("SDL_VIDEODRIVER") || set("WAYLAND_DISPLAY")) return;
-  if (!set("DISPLAY")) {
+  if (set("SDL_VIDEODRIVER") || set("SDL_VIDEO_DRIVER")) return;
+  const bool x11 = set("DISPLAY"), wayland = set("WAYLAND_DISPLAY");
+  if (!x11 && !wayland) {
     throw UserError(ExitCode::failedRun,
                     "No display: neither DISPLAY nor WAYLAND_DISPLAY is set; use --headless, or start GpuWars in a "
                     "desktop session.");
   }
-  SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
+  // Where there are both, versions of SDL differ in which they try first.
+  if (x11) SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland ? "x11,wayland" : "x11");
 }
 
 }  // namespace gw

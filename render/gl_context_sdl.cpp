@@ -60,6 +60,8 @@ class SdlContextImpl final : public SdlContext {
     window_.reset(SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                    options.size.width, options.size.height, flags));
     if (!window_) throw displayError("No window with OpenGL could be opened", glRemedy(kDesktop));
+    // No screen takes text, and an input method that waits for some would keep the letters to itself.
+    SDL_StopTextInput();
     SDL_SetWindowMinimumSize(window_.get(), 320, 180);
     context_.reset(SDL_GL_CreateContext(window_.get()));
     if (!context_) throw displayError("No OpenGL 4.5 on this display", glRemedy(kDesktop));
@@ -99,11 +101,33 @@ class SdlContextImpl final : public SdlContext {
     SDL_SetWindowFullscreen(window_.get(), on ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
   }
 
+  bool fullscreen() const override {
+    return is(SDL_WINDOW_FULLSCREEN);
+  }
+
+  bool hidden() const override {
+    return is(SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED);
+  }
+
+  void keepPointer(bool on) override {
+    SDL_SetWindowMouseGrab(window_.get(), on ? SDL_TRUE : SDL_FALSE);
+  }
+
+  double screenRate() const override {
+    SDL_DisplayMode mode{};
+    const int display = SDL_GetWindowDisplayIndex(window_.get());
+    return display >= 0 && SDL_GetCurrentDisplayMode(display, &mode) == 0 ? mode.refresh_rate : 0;
+  }
+
   bool verticalSync() const override {
     return verticalSync_;
   }
 
  private:
+  bool is(Uint32 anyOf) const {
+    return (SDL_GetWindowFlags(window_.get()) & anyOf) != 0;
+  }
+
   SdlVideo video_;
   std::unique_ptr<SDL_Window, DestroyWindow> window_;
   std::unique_ptr<void, DeleteContext> context_;

@@ -22,9 +22,20 @@ class SdlContext : public GlContext {
   // For events and for where the mouse is.
   virtual SDL_Window* window() const = 0;
 
+  // Asks for it. Whether it happens, and when, is up to the window manager: fullscreen() tells.
   virtual void setFullscreen(bool on) = 0;
+  virtual bool fullscreen() const = 0;
 
-  // Whether swap() really waits for the screen: drivers may refuse, and the game then limits its frames itself.
+  // Minimised or taken from the screen: nobody sees what would be drawn.
+  virtual bool hidden() const = 0;
+
+  // The pointer cannot leave the window while it has the focus.
+  virtual void keepPointer(bool on) = 0;
+
+  // Frames a second of the screen that the window is on; 0: not known.
+  virtual double screenRate() const = 0;
+
+  // Whether the driver has agreed that swap() waits for the screen.
   virtual bool verticalSync() const = 0;
 };
 

@@ -88,6 +88,7 @@ class PlaySession {
     if (before == Screen::play && screen_ == Screen::over) keepBest();
     if (practising()) practice_->step(screen_, loop_, *run_);
     loop_.showCursor(screen_ != Screen::play);
+    loop_.keepPointer(screen_ == Screen::play && !botPlays() && settings_.keepPointer);
     loop_.updateSound(sceneOf(screen_));
 
     const bool attracting = attract_ && (screen_ == Screen::title || screen_ == Screen::settings);
@@ -123,6 +124,8 @@ class PlaySession {
     keys.forgetPresses();
     input.lostFocus = keys.lostFocus();
     input.lostPad = keys.lostPad();
+    input.botPlays = botPlays();
+    input.endsAlone = botPlays() && options_.ticks > 0;
     input.inRun = !attract_;
     input.runOver = run_->over();
     input.shown_s = loop_.now_s() - shownSince_s_;
@@ -139,8 +142,10 @@ class PlaySession {
     mode_ = modeBeside(mode_, by);
   }
 
+  bool botPlays() const { return options_.autopilot != Autopilot::none; }
+
   // A player who practises; a bot asks for its own.
-  bool practising() const { return practice_ && !attract_ && options_.autopilot == Autopilot::none; }
+  bool practising() const { return practice_ && !attract_ && !botPlays(); }
 
   // A frame of the settings screen. True when the player is done there.
   bool changeSettings(const MenuPresses& presses) {
@@ -200,7 +205,7 @@ class PlaySession {
     if (deviceFailed()) hud.banner = "GPU FAILED: THE PROCESSOR PLAYS ON";
     drawHud(canvas, run_->monitor(), rules, hud);
     if (practising()) practice_->drawPanel(canvas, rules, hints);
-    if (screen_ == Screen::play && options_.autopilot == Autopilot::none) loop_.drawCrosshair(canvas);
+    if (screen_ == Screen::play && !botPlays()) loop_.drawCrosshair(canvas);
     if (screen_ == Screen::pause) {
       practising() ? practice_->drawPause(canvas, rules, hints, padGone_, loop_)
                    : drawPause(canvas, rules, {padGone_, hints});

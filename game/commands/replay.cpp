@@ -115,7 +115,7 @@ class ReplaySession {
     const bool leave = keys.pressed(Action::quit);
     const bool toggle = keys.pressed(Action::pause) || keys.pressed(Action::confirm) || menu.confirm || menu.escape;
     keys.forgetPresses();
-    if (leave || (toggle && ended())) return false;
+    if (leave || ((toggle || options_.quitAtEnd) && ended())) return false;
     const ViewerPresses presses = keys_.take();
     if (toggle || presses.pauses % 2 != 0) togglePause();
     if (presses.helps % 2 != 0) helpShown_ = !helpShown_;

@@ -30,6 +30,7 @@ struct Settings {
   } pad;
 
   bool fullscreen = false;
+  bool keepPointer = true;  // in the window, in play
   Bindings bindings;
 
   friend bool operator==(const Settings&, const Settings&) = default;

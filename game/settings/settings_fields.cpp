@@ -27,6 +27,7 @@ constexpr SettingsField kFields[] = {
     number("pad", "move_dead_zone", "dead zone, move stick", 0.9f, [](Settings& s) { return &s.pad.moveDeadZone; }),
     number("pad", "aim_dead_zone", "dead zone, aim stick", 0.9f, [](Settings& s) { return &s.pad.aimDeadZone; }),
     flag("video", "fullscreen", "fullscreen", [](Settings& s) { return &s.fullscreen; }),
+    flag("video", "keep_pointer", "keep the pointer in play", [](Settings& s) { return &s.keepPointer; }),
 };
 
 }  // namespace

@@ -19,8 +19,10 @@ FlowEvent advance(Screen& screen, const FlowInput& input) {
       if (input.pause || input.quit) return FlowEvent::quitProgram;
       break;
     case Screen::play:
+      if (input.runOver && input.endsAlone) return FlowEvent::quitProgram;
       if (input.runOver) return go(screen, Screen::over, FlowEvent::none);
-      if (input.pause || input.lostFocus || input.lostPad) return go(screen, Screen::pause, FlowEvent::none);
+      if (input.pause || (!input.botPlays && (input.lostFocus || input.lostPad)))
+        return go(screen, Screen::pause, FlowEvent::none);
       break;
     case Screen::pause:
       if (input.retry) return go(screen, Screen::play, FlowEvent::startRun);

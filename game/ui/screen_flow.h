@@ -14,9 +14,11 @@ struct FlowInput {
   bool settings = false;  // O
   bool settingsDone = false;
   bool lostFocus = false;
-  bool lostPad = false;  // the controller in use went away
-  bool inRun = false;    // a run waits: where the settings lead back to
+  bool lostPad = false;   // the controller in use went away
+  bool botPlays = false;  // nobody's hands are missed then
+  bool inRun = false;     // a run waits: where the settings lead back to
   bool runOver = false;
+  bool endsAlone = false;  // nobody looks at the result, or plays again
   double shown_s = 0;  // how long this screen has been shown
 };
 

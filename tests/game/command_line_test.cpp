@@ -90,6 +90,8 @@ TEST(CommandLine, ReplayTakesAFile) {
   EXPECT_EQ(o.width_px, 640u);
   EXPECT_EQ(accepted("replay run.gwr --speed 0.1").speed, 0.1);
   EXPECT_EQ(accepted("replay run.gwr --speed 16").speed, 16);
+  EXPECT_FALSE(o.quitAtEnd);
+  EXPECT_TRUE(accepted("replay run.gwr --quit-at-end").quitAtEnd);
 }
 
 TEST(CommandLine, RenderTakesAFileAndAPlace) {

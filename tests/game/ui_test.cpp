@@ -222,6 +222,25 @@ TEST(UiFlowTest, APadThatGoesPausesThePlay) {
   EXPECT_FALSE(fine.says("controller"));
 }
 
+TEST(UiFlowTest, ABotPlaysOnWithoutFocusOrPadUntilItIsPaused) {
+  Screen screen = Screen::play;
+  for (const FlowInput& left : {FlowInput{.lostFocus = true, .botPlays = true}, {.lostPad = true, .botPlays = true}}) {
+    EXPECT_EQ(advance(screen, left), FlowEvent::none);
+    EXPECT_EQ(screen, Screen::play);
+  }
+  advance(screen, {.pause = true, .botPlays = true});
+  EXPECT_EQ(screen, Screen::pause);
+  screen = Screen::play;
+  advance(screen, {.lostFocus = true});
+  EXPECT_EQ(screen, Screen::pause) << "a person's run waits";
+}
+
+TEST(UiFlowTest, ARunThatEndsAloneLeavesNoResultBehind) {
+  Screen screen = Screen::play;
+  EXPECT_EQ(advance(screen, {.runOver = true, .endsAlone = true}), FlowEvent::quitProgram);
+  EXPECT_EQ(advance(screen, {.endsAlone = true}), FlowEvent::none) << "not before its end";
+}
+
 TEST(UiFlowTest, AStartButtonThatIsPauseAndConfirmDoesWhatEachScreenMeans) {
   const FlowInput start{.confirm = true, .pause = true};
   Screen screen = Screen::title;

@@ -1,5 +1,5 @@
 # Camera, pacing, input and screens: everything about the window that needs no window.
-add_executable(game_pacing_test camera_test.cpp loop_pacer_test.cpp practice_test.cpp)
+add_executable(game_pacing_test camera_test.cpp frame_limiter_test.cpp loop_pacer_test.cpp practice_test.cpp)
 target_link_libraries(game_pacing_test PRIVATE gw_pacing GTest::gtest_main)
 gtest_discover_tests(game_pacing_test)
 
