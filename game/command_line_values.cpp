@@ -63,7 +63,8 @@ std::string CommandLineValues::Entry::name() const {
 
 std::string CommandLineValues::Entry::shown() const {
   if (text.value == OptionText::Value::none || text.value == OptionText::Value::files) return text.names;
-  return fmt::format(text.valueOptional ? "{} [{}]" : "{} {}", text.names, text.placeholder);
+  const std::string value = text.valueOptional ? fmt::format("[{}]", text.placeholder) : text.placeholder;
+  return fmt::format("{} {}", text.names, value);
 }
 
 void CommandLineValues::declare(const char* names, const std::string& help, const std::string& placeholder,

@@ -34,13 +34,13 @@ set(CPACK_PRE_BUILD_SCRIPTS ${gw_debian}/finish_files.cmake)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME gpuwars)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION games)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "twin-stick shooter whose whole simulation runs as GPU kernels
- You are a GPUship inside the computer universe and process (shoot) what a
- GPU processes: up to 8,192 enemies, more if you ask, and each of them thinks,
- moves and collides sixty times a second.
- .
- With an NVIDIA GPU the kernels run there when the package was built with
- CUDA; else they run on the processor, with the same results, bit for bit.
- Replays can be watched, verified tick by tick and made into films.")
+You are a GPUship inside the computer universe and process (shoot) what a
+GPU processes: up to 8,192 enemies, more if you ask, and each of them thinks,
+moves and collides sixty times a second.
+
+With an NVIDIA GPU the kernels run there when the package was built with
+CUDA; else they run on the processor, with the same results, bit for bit.
+Replays can be watched, verified tick by tick and made into films.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${gw_packaged}/${gw_kernel_folder})
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri")
@@ -50,12 +50,12 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, librsvg2-bin, fonts-dejavu-co
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libgpuwars-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "neighbour search and sorting as kernels, for CUDA and for processors
- The compute side of the game GpuWars as a library of its own: a layer that
- runs one kernel source on NVIDIA GPUs and on processors with the same
- results, bit for bit; on it the NGrid, a neighbourhood structure with
- exactly one entity per cell, uniform grids, neighbour lists, scans and sorts.
- .
- Headers, static libraries and the files for CMake and pkg-config.")
+The compute side of the game GpuWars as a library of its own: a layer that
+runs one kernel source on NVIDIA GPUs and on processors with the same
+results, bit for bit; on it the NGrid, a neighbourhood structure with
+exactly one entity per cell, uniform grids, neighbour lists, scans and sorts.
+
+Headers, static libraries and the files for CMake and pkg-config.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "g++ | c++-compiler")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "cmake, pkgconf")
 

@@ -11,8 +11,7 @@ namespace {
 std::string head(const std::string& name, const PageHead& page) {
   std::string title = name;
   std::transform(title.begin(), title.end(), title.begin(), [](char c) { return char(std::toupper(uint8_t(c))); });
-  return fmt::format(".TH {} 6 \"{}\" \"gpuwars {}\" Games\n", roffText(title), roffText(page.date),
-                     roffText(page.version));
+  return fmt::format(".TH {} 6 \"{}\" \"gpuwars {}\" Games\n", roffText(title), page.date, page.version);
 }
 
 // "Watch a replay." as the line that apropos shows: without capital and full stop.

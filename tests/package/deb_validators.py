@@ -18,6 +18,12 @@ TOOLS = {
     "desktop": (["desktop-file-validate"], "unpacked/usr/share/applications/*.desktop"),
     "metainfo": (["appstreamcli", "validate", "--no-net"], "unpacked/usr/share/metainfo/*.xml"),
 }
+# The project has no homepage.
+PARDONED = {"metainfo": ["--override=url-homepage-missing=info"]}
+
+
+def ended(command):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
 
 
 def main():
@@ -25,7 +31,9 @@ def main():
     if not shutil.which(command[0]):
         skip(f"{command[0]} is not installed")
     files = sorted(map(str, Path(sys.argv[2]).glob(pattern)))
-    run = subprocess.run([*command, *files], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    run = ended([*command, *PARDONED.get(sys.argv[1], []), *files])
+    if "is not recognized" in run.stdout:  # before 1.0 appstreamcli knows nothing of it
+        run = ended([*command, *files])
     failures = Failures()
     failures.check(bool(files) and run.returncode == 0, f"{command[0]} on {len(files)} files: {run.returncode}\n{run.stdout}")
     failures.finish()
