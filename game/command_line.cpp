@@ -42,12 +42,10 @@ std::string mainHelp() {
   text += "\n'gpuwars VERB --help' lists a verb's options; they mean the same under every verb.\n";
   std::string exits;
   for (const ExitText& exit : kExitTexts) {
-    const char* before = exits.empty() ? "Exit codes: " : exit.code.size() == 1 ? ", " : ";
-";
+    const char* before = exits.empty() ? "Exit codes: " : exit.code.size() == 1 ? ", " : ";\n";
     exits += fmt::format("{}{} {}", before, exit.code, exit.meaning);
   }
-  return text + exits + ".
-";
+  return text + exits + ".\n";
 }
 
 // The options of one verb, bound to `options`. Values are taken as text and read by command_line_values,
