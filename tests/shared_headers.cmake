@@ -1,6 +1,6 @@
 # Half of ./check's time was once spent on reading the headers of GoogleTest and of the standard library 180 times, and on
-# optimising tests that run once. Every program of tests/ therefore shares those headers, compiled once, and is optimised
-# lightly: what it tests lies in libraries, and those are optimised as ever. GW_SHARED_HEADERS=OFF compiles each file by
+# optimising tests that run once. Every program that uses GoogleTest therefore shares those headers, compiled once, and every
+# program of tests/ is optimised lightly: what it tests lies in libraries, and those are optimised as ever. GW_SHARED_HEADERS=OFF compiles each file by
 # itself, so that one that forgets an include is found: ./check --full builds so with clang.
 option(GW_SHARED_HEADERS "Compile the headers that test programs share once for all of them" ON)
 
@@ -26,7 +26,8 @@ function(gw_hasten_tests folder)
     get_target_property(type ${target} TYPE)
     if(type STREQUAL EXECUTABLE)
       target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-      if(GW_SHARED_HEADERS)
+      get_target_property(libraries ${target} LINK_LIBRARIES)
+      if(GW_SHARED_HEADERS AND libraries MATCHES "GTest::gtest")
         target_precompile_headers(${target} REUSE_FROM gw_test_headers)
       endif()
     endif()
