@@ -1,14 +1,14 @@
-# Half of ./check's time was once spent on reading the headers of GoogleTest and of the standard library 180 times, and on
-# optimising tests that run once. Every program that uses GoogleTest therefore shares those headers, compiled once, and every
-# program of tests/ is optimised lightly: what it tests lies in libraries, and those are optimised as ever. GW_SHARED_HEADERS=OFF compiles each file by
-# itself, so that one that forgets an include is found: ./check --full builds so with clang.
+# A fifth of ./check's work was once to read the headers of GoogleTest and of the standard library 180 times, and to optimise
+# tests that run once. Every program that uses GoogleTest therefore shares those headers, compiled once, and every program
+# of tests/ is optimised lightly: what it tests lies in libraries, and those are optimised as ever. GW_SHARED_HEADERS=OFF
+# compiles each file by itself, so that one that forgets an include is found: ./check --full builds so with clang.
 option(GW_SHARED_HEADERS "Compile the headers that test programs share once for all of them" ON)
 
 if(GW_SHARED_HEADERS)
   find_path(GW_RAPIDCHECK_INCLUDE_DIR rapidcheck/gtest.h REQUIRED)
   add_library(gw_test_headers OBJECT shared_headers.cpp)
   target_include_directories(gw_test_headers SYSTEM PRIVATE ${GW_RAPIDCHECK_INCLUDE_DIR})
-  target_compile_options(gw_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(gw_test_headers PRIVATE ${gw_light_optimisation})
   target_link_libraries(gw_test_headers PRIVATE gw_options GTest::gtest)
   target_precompile_headers(gw_test_headers PRIVATE
     <gtest/gtest.h> <algorithm> <array> <chrono> <cmath> <filesystem> <fstream> <functional> <map> <memory> <numeric>
@@ -25,7 +25,7 @@ function(gw_hasten_tests folder)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     if(type STREQUAL EXECUTABLE)
-      target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+      target_compile_options(${target} PRIVATE ${gw_light_optimisation})
       get_target_property(libraries ${target} LINK_LIBRARIES)
       if(GW_SHARED_HEADERS AND libraries MATCHES "GTest::gtest")
         target_precompile_headers(${target} REUSE_FROM gw_test_headers)
