@@ -22,6 +22,7 @@ def check_cross(root, outcome, source, quick):
     started = time.monotonic()
     why = fault_of_build(root)
     outcome.seconds["play"] = time.monotonic() - started
+    outcome.notes.append("the minutes under ./play are those of installing and cross-building")
     outcome.compiler = f"{TRIPLET}-g++ {root.said('/', f'{TRIPLET}-g++', '-dumpfullversion')}"
     outcome.cmake = cmake_version(root)
     if not outcome.add("cross-build", FAILED if why else PASSED, why):
