@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "game/user_error.h"
 
@@ -47,14 +48,15 @@ fs::path findAssetFolder(const fs::path& given) {
   if (!given.empty()) return checked(given);
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path candidates[] = {program.parent_path() / "assets",
-                                 program.parent_path().parent_path() / "share/gpuwars/assets",
-                                 fs::path(GW_SOURCE_ASSETS)};
+  std::vector<fs::path> candidates{program.parent_path() / "assets",
+                                   program.parent_path().parent_path() / "share/gpuwars/assets"};
+  if (*GW_SOURCE_ASSETS) candidates.emplace_back(GW_SOURCE_ASSETS);  // empty in packages
+  std::string places;
   for (const fs::path& folder : candidates) {
     if (fs::is_directory(folder, ignored)) return checked(folder);
+    places += (places.empty() ? "at " : ", nor at ") + folder.string();
   }
-  refuse("There is no folder of assets at " + candidates[0].string() + ", at " + candidates[1].string() + " or at " +
-         candidates[2].string());
+  refuse("There is no folder of assets " + places);
 }
 
 }  // namespace gw
