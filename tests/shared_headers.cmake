@@ -7,7 +7,9 @@ option(GW_SHARED_HEADERS "Compile the headers that test programs share once for 
 set(gw_light_optimisation $<$<CONFIG:Release>:-O1>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # At -O1 gcc 12 sees copies beyond the end of "text" + std::string.
-  list(APPEND gw_light_optimisation $<$<CONFIG:Release>:-Wno-array-bounds>)
+  foreach(alarm IN ITEMS array-bounds stringop-overflow stringop-overread)
+    list(APPEND gw_light_optimisation $<$<CONFIG:Release>:-Wno-${alarm}>)
+  endforeach()
 endif()
 
 if(GW_SHARED_HEADERS)

