@@ -8,7 +8,7 @@ namespace gw {
 bool FrameLimiter::trusted(double now_s, double passed_s) {
   if (now_s < doubtUntil_s_) return false;
   const double period_s = 1 / (rate_ > 0 ? rate_ : kFastRate);
-  quick_ = passed_s < period_s / 2 ? quick_ + 1 : 0;
+  quick_ = passed_s < kQuick * period_s ? quick_ + 1 : 0;
   if (quick_ < kQuickFrames) return true;
   quick_ = 0;
   doubtUntil_s_ = now_s + kDoubt_s;

@@ -21,9 +21,10 @@ class FrameLimiter {
   double wait_s(double now_s, bool waits, bool hidden);
 
  private:
-  // Nobody doubts a screen before this many frames in a row came in less than half of its period, and after five
-  // seconds at our own pace it may prove itself anew.
+  // A screen is doubted when this many frames in a row came in less than this share of its period: of one that waits
+  // a few may, those that were queued behind a late one. After five seconds at our own pace it is trusted again.
   static constexpr uint32_t kQuickFrames = 8;
+  static constexpr double kQuick = 0.8;
   static constexpr double kDoubt_s = 5;
   // An unknown screen: 60 where it does not wait; where it is said to, no slower than fast ones are.
   static constexpr double kUsualRate = 60, kFastRate = 240;

@@ -31,7 +31,7 @@ class Game:
         self.process.stdin.write(line + "\n")
         self.process.stdin.flush()
         answer = self.process.stdout.readline().strip()
-        while answer.startswith("score"):  # what the game itself says
+        while answer.startswith("score") or answer.endswith("plays the same game."):  # what the game itself says
             answer = self.process.stdout.readline().strip()
         if answer != "done":
             self.failures.check(False, f"'{line}': {answer!r}")
