@@ -12,9 +12,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "e2e"))
 from program import Failures, skip  # noqa: E402
 
 # Each tool, what it looks at below FOLDER, and its options. lintian's informations, such as a missing watch file, are for
-# who uploads to Debian.
+# who uploads to Debian. An override of a tag that only newer versions know is an alien-tag to older ones.
 TOOLS = {
-    "lintian": (["lintian", "--fail-on", "error,warning", "--display-level", ">=warning", "--allow-root"], "debs/*.deb"),
+    "lintian": (["lintian", "--fail-on", "error,warning", "--display-level", ">=warning", "--allow-root",
+                "--suppress-tags", "alien-tag"], "debs/*.deb"),
     "desktop": (["desktop-file-validate"], "unpacked/usr/share/applications/*.desktop"),
     "metainfo": (["appstreamcli", "validate", "--no-net"], "unpacked/usr/share/metainfo/*.xml"),
 }
