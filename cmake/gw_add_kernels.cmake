@@ -56,6 +56,7 @@ function(gw_add_kernels name)
     add_library(${name}_cuda STATIC ${sources})
     if(GW_CUDA_STAND_IN)
       target_compile_definitions(${name}_cuda PRIVATE GW_STAND_IN_KERNELS=1)
+      target_link_libraries(${name}_cuda PRIVATE CUDA::cudart_static)
       target_compile_options(${name}_cuda PRIVATE -include cuda_runtime.h) # as nvcc does by itself
     endif()
     # CMake 3.25 does not know CUDA20; what a folder sets when it ends is what its targets go by.

@@ -71,3 +71,14 @@ if(gw_missing_packages)
   list(JOIN gw_missing_packages " " gw_missing_packages)
   message(FATAL_ERROR "Libraries are missing: install the packages ${gw_missing_packages} (Debian's names) and configure again.")
 endif()
+
+# As a library of the system: its header-only form takes three seconds more of every file that formats. What is to run
+# without that library compiles it in.
+if(GW_GAME)
+  add_library(gw_fmt INTERFACE)
+  if(GW_STATIC OR NOT TARGET fmt::fmt)
+    target_link_libraries(gw_fmt INTERFACE fmt::fmt-header-only)
+  else()
+    target_link_libraries(gw_fmt INTERFACE fmt::fmt)
+  endif()
+endif()

@@ -1,12 +1,20 @@
 # Two packages by CPack: gpuwars_*.deb (components game, debian_game) and libgpuwars-dev_*.deb (gpu, debian_gpu). What
 # only Debian wants is in components of its own, so that `cmake --install` leaves it out.
 set(gw_debian ${CMAKE_CURRENT_LIST_DIR}/debian)
+# The project has no address of its own: who publishes packages names one, under which users reach them.
+set(GW_PACKAGE_CONTACT "The GpuWars developers <developers@gpuwars.invalid>" CACHE STRING
+  "Maintainer of the packages: Name <address>")
+if(NOT GW_PACKAGE_CONTACT MATCHES "^[^<>\n]+ <[^<> @]+@[^<> @]+>$")
+  message(FATAL_ERROR "GW_PACKAGE_CONTACT is '${GW_PACKAGE_CONTACT}': write it as \"Name <address>\".")
+endif()
+set(gw_changelog ${PROJECT_BINARY_DIR}/package/changelog)
+configure_file(${gw_debian}/changelog.in ${gw_changelog} @ONLY)
 foreach(package gpuwars libgpuwars-dev)
   set(component debian_game)
   if(package STREQUAL "libgpuwars-dev")
     set(component debian_gpu)
   endif()
-  install(FILES ${gw_debian}/copyright ${gw_debian}/changelog DESTINATION share/doc/${package} COMPONENT ${component})
+  install(FILES ${gw_debian}/copyright ${gw_changelog} DESTINATION share/doc/${package} COMPONENT ${component})
   if(EXISTS ${gw_debian}/${package}.lintian-overrides)
     install(FILES ${gw_debian}/${package}.lintian-overrides DESTINATION share/lintian/overrides RENAME ${package}
       COMPONENT ${component})
@@ -18,7 +26,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/examples DESTINATION share/doc/libg
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gpuwars)
 set(CPACK_PACKAGE_VENDOR "The GpuWars developers")
-set(CPACK_PACKAGE_CONTACT "The GpuWars developers <developers@gpuwars.org>")
+set(CPACK_PACKAGE_CONTACT "${GW_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

@@ -2,14 +2,14 @@
 set(gw_documents ${PROJECT_BINARY_DIR}/documents)
 
 # Version and date stand in the changelog, whose date is also that of everything in the packages.
-set(changelog ${PROJECT_SOURCE_DIR}/cmake/packages/debian/changelog)
+set(changelog ${PROJECT_SOURCE_DIR}/cmake/packages/debian/changelog.in)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${changelog})
 file(STRINGS ${changelog} first LIMIT_COUNT 1)
 if(NOT first MATCHES "^gpuwars \\(${PROJECT_VERSION}\\) ")
-  message(FATAL_ERROR "cmake/packages/debian/changelog begins with '${first}': add an entry for ${PROJECT_VERSION}, the project's version.")
+  message(FATAL_ERROR "cmake/packages/debian/changelog.in begins with '${first}': add an entry for ${PROJECT_VERSION}, the project's version.")
 endif()
 file(STRINGS ${changelog} signed REGEX "^ -- " LIMIT_COUNT 1)
-string(REGEX REPLACE "^.*>  " "" signed "${signed}")
+string(REGEX REPLACE "^.*[>@]  " "" signed "${signed}")
 execute_process(COMMAND date --utc --date=${signed} "+%s;%Y-%m-%d" OUTPUT_VARIABLE dates
   OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 list(GET dates 0 GW_PACKAGE_EPOCH)

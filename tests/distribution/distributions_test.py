@@ -112,6 +112,10 @@ class Running(Fakes):
         self.assertIn("- bookworm has not: release: new", table)
         self.assertEqual(list((self.folder / "kept/runs").iterdir()), [], "roots in use are thrown away")
 
+    def test_the_fake_names_its_results_as_check_does(self):
+        self.assertIn("build/$preset/junit_$part.xml", (SOURCE / "check").read_text())
+        self.assertIn("build/release/junit_rest.xml", (SOURCE / "tests/distribution/fake_machine.py").read_text())
+
     def test_quick_leaves_check_out_and_long_replays_under_emulation(self):
         status, said, calls = self.distributions("--quick", "trixie", "aarch64")
         self.assertEqual(status, 0, said)

@@ -75,7 +75,7 @@ class Inside:
     def check(self):
         while self.broken("patience"):
             time.sleep(0.1)
-        junit = Path("build/release/junit.xml")
+        junit = Path("build/release/junit_rest.xml")
         junit.parent.mkdir(parents=True)
         failing = '<failure message=""/>' if self.broken("check") else ""
         new = "" if self.suite == "bookworm" else '<testcase name="new" status="run"/>'

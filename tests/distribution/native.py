@@ -57,5 +57,5 @@ def read_check(outcome, root, clone, status):
         outcome.counted = [int(count) for count in last.groups()]
     if not last or (status != 0) != (outcome.counted[1] > 0):
         outcome.add("./check", FAILED, f"exit status {status}, and its last line is '{lines[-1] if lines else ''}'")
-    for junit in sorted((clone / "build").glob("*/junit.xml")):
+    for junit in sorted((clone / "build").glob("*/junit_*.xml")):
         outcome.tests.update((f"{junit.parent.name}: {name}", state) for name, state in cases(junit))

@@ -35,8 +35,8 @@ def check_labels(screen, tool, failures):
         failures.check(not wrong, f"labels of {what} {wrong}")
 
     expect("us", US)
-    for name, wanted in (("fr", FRENCH), ("dvorak", DVORAK), ("us", US)):
-        screen.layout(name)
+    for name, wanted in (("fr", FRENCH), ("us -variant dvorak", DVORAK), ("us", US)):
+        screen.layout(*name.split())
         expect(f"{name}, switched while the window is open", wanted)
     screen.layout("de")
     expect("de", {"move": "WASD", "more": "US =", "fewer": "US -", "faster": "+", "slower": "-"})

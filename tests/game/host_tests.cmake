@@ -17,7 +17,7 @@ add_executable(game_host_test
   ${here}/toml_library_test.cpp)
 target_include_directories(game_host_test SYSTEM PRIVATE ${GW_RAPIDCHECK_INCLUDE_DIR})
 target_compile_definitions(game_host_test PRIVATE GW_ASSETS_DIR="${here}/../../assets" GW_TEST_DATA_DIR="${here}/../data")
-target_link_libraries(game_host_test PRIVATE gw_command_line gw_replay gw_tables gw_toml fmt::fmt-header-only ${GW_RAPIDCHECK_LIBRARY}
+target_link_libraries(game_host_test PRIVATE gw_command_line gw_replay gw_tables gw_toml gw_fmt ${GW_RAPIDCHECK_LIBRARY}
   GTest::gtest_main)
 gtest_discover_tests(game_host_test)
 

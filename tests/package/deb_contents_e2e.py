@@ -104,7 +104,7 @@ def main():
     if not failures.check(sorted(debs) == ["gpuwars", "libgpuwars-dev"], f"two packages: {sorted(debs)}"):
         failures.finish()
 
-    first = (source / "cmake/packages/debian/changelog").read_text().splitlines()[0]
+    first = (source / "cmake/packages/debian/changelog.in").read_text().splitlines()[0]
     version = re.match(r"gpuwars \(([\d.]+)\)", first).group(1)
     check_fields(failures, debs, version)
     epoch = int(re.search(r"SOURCE_DATE_EPOCH} (\d+)", (build / "package/cpack_options.cmake").read_text()).group(1))
