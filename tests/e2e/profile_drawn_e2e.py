@@ -45,6 +45,8 @@ def offscreen(program, folder, failures):
     failures.check(overall["draw_ms.mean"]["value"] > 0 and overall["gl_ms.mean"]["value"] > 0, "drawing was timed, by OpenGL too")
     drawn = [row for row in rows_of(folder / "cases") if row["contender"] == "ngrid"]
     failures.check(len(drawn) == 2 * TICKS and all(float(row["draw_ms"]) > 0 for row in drawn), "every frame was drawn")
+    longest = max(float(row["gl_ms"]) - float(row["draw_ms"]) - float(row["wait_ms"]) for row in drawn if row["gl_ms"])
+    failures.check(longest < 1, f"by OpenGL no frame, the first included, takes longer than it did: {longest} ms")
     failures.check("droppedTicks" not in overall, "a tick a frame drops none, so none are told")
     failures.check(report["setup"]["drawn"] == "offscreen 320x200, effects off", f"says what was drawn: {report['setup']['drawn']}")
     failures.check(report["cases"][0]["speedUps"][0]["upkeepAndGathering"]["value"] is None,
