@@ -93,6 +93,19 @@ function(gw_other_host_compilers others)
   set(${others} "${found}" PARENT_SCOPE)
 endfunction()
 
+# Programs are linked by the C++ compiler, and CMake hands it the folders where nvcc's host compiler looks for libraries.
+# Where that is another compiler, its C++ library would be found before the one that the C++ files were compiled for.
+function(gw_without_cxx_libraries list) # its name
+  set(kept)
+  foreach(folder IN LISTS ${list})
+    file(GLOB found ${folder}/libstdc++.* ${folder}/libc++.*)
+    if(NOT found)
+      list(APPEND kept ${folder})
+    endif()
+  endforeach()
+  set(${list} "${kept}" PARENT_SCOPE)
+endfunction()
+
 # One sentence about what nvcc said against a host compiler (empty: its own choice).
 function(gw_refusal_of_nvcc release host said sentence)
   if(release STREQUAL "")

@@ -102,6 +102,19 @@ def check_sentences(failures, source, folder):
     refuses({}, "nvcc 13.0", "install")
 
 
+def check_link_folders(failures, source, folder):
+    """Folders with a C++ library of their own are not handed to the linker."""
+    Machine(folder, {})
+    for name, file in (("toolkit", "libcudadevrt.a"), ("gcc/15", "libstdc++.so"), ("llvm", "libc++.so")):
+        (folder / name).mkdir(parents=True)
+        (folder / name / file).write_text("")
+    (folder / "ask.cmake").write_text(f'include({source}/cmake/cuda_host_compiler.cmake)\n'
+                                      f'set(folders {folder}/toolkit {folder}/gcc/15 {folder}/llvm {folder}/none)\n'
+                                      'gw_without_cxx_libraries(folders)\nmessage("${folders}")\n')
+    result = subprocess.run(["cmake", "-P", folder / "ask.cmake"], stderr=subprocess.PIPE, text=True, check=True)
+    failures.check(result.stderr.strip() == f"{folder}/toolkit;{folder}/none", f"the linker looks in {result.stderr}")
+
+
 def check_project(failures, source, folder):
     """The library's own configuration goes on with the cpu alone, says why, and hands it to the program."""
     here = {program.name for place in os.environ["PATH"].split(os.pathsep) for program in Path(place).glob("*++-[0-9]*")}
@@ -125,6 +138,7 @@ def main():
     failures = Failures()
     check_choices(failures, source, folder)
     check_sentences(failures, source, folder)
+    check_link_folders(failures, source, folder)
     check_project(failures, source, folder)
     failures.finish()
 
