@@ -39,7 +39,9 @@ def check_labels(screen, tool, failures):
         screen.layout(*name.split())
         expect(f"{name}, switched while the window is open", wanted)
     screen.layout("de")
-    expect("de", {"move": "WASD", "more": "US =", "fewer": "US -", "faster": "+", "slower": "-"})
+    # Its "=" is a dead accent, for which SDL 2 has no name; SDL 3 behind sdl2-compat (2.32.50 and newer) tells the US one.
+    sdl = [int(word) for word in labels()["sdl"].split(".")]
+    expect("de", {"move": "WASD", "more": "=" if sdl >= [2, 32, 50] else "US =", "fewer": "US -", "faster": "+", "slower": "-"})
     screen.layout("ru")
     russian = labels()
     failures.check({name: russian[name] for name in ("move", "quit", "camera")} == {"move": "WASD", "quit": "Q", "camera": "C"},

@@ -1,5 +1,5 @@
 // layout_labels: in a window of its own, what the screens call the keys under the keyboard layout of the moment: one
-// line for each line of stdin, "name=label" between tabs.
+// line for each line of stdin, "name=label" between tabs, and first "sdl=" and its version.
 #include <SDL.h>
 
 #include <cstdio>
@@ -40,6 +40,9 @@ int main() {
                                                           {"help", keys.help},
                                                           {"ship", keys.ship},
                                                           {"pan", keys.pan}};
+    SDL_version sdl;
+    SDL_GetVersion(&sdl);
+    std::printf("sdl=%d.%d.%d\t", sdl.major, sdl.minor, sdl.patch);
     for (const auto& [name, label] : labels) std::printf("%s=%s\t", name, label.c_str());
     std::printf("\n");
     std::fflush(stdout);

@@ -11,6 +11,7 @@
 #include <exception>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -59,9 +60,16 @@ bool obey(SDL_Joystick*& pad, std::istringstream words) {
   return good;
 }
 
+// The only one. SDL 2 numbers windows from 1; where SDL 3 stands behind it, displays take numbers of the same row.
+SDL_Window* firstWindow() {
+  for (Uint32 id = 1; id < 100; ++id) {
+    if (SDL_Window* window = SDL_GetWindowFromID(id)) return window;
+  }
+  throw std::runtime_error("there is no window to ask about");
+}
+
 std::string answer(const std::string& question) {
-  SDL_Window* window = SDL_GetWindowFromID(1);
-  const auto is = [&](Uint32 flag) { return (SDL_GetWindowFlags(window) & flag) != 0; };
+  const auto is = [&](Uint32 flag) { return (SDL_GetWindowFlags(firstWindow()) & flag) != 0; };
   if (question == "text_input") return SDL_IsTextInputActive() ? "1" : "0";
   if (question == "pointer_kept") return is(SDL_WINDOW_MOUSE_GRABBED) ? "1" : "0";
   return is(SDL_WINDOW_FULLSCREEN) ? "1" : "0";

@@ -39,10 +39,12 @@ class Game:
     def ask(self, question):
         self.process.stdin.write(f"ask {question}\n")
         self.process.stdin.flush()
-        answer = self.process.stdout.readline().strip()
-        while answer not in ("0", "1"):  # what the game itself says
-            answer = self.process.stdout.readline().strip()
-        return answer == "1"
+        answer = self.process.stdout.readline()
+        while answer not in ("0\n", "1\n"):  # what the game itself says
+            if not answer:
+                raise RuntimeError(f"the game ended when it was asked {question}: {self.process.stderr.read()}")
+            answer = self.process.stdout.readline()
+        return answer == "1\n"
 
     def press(self, *keys, wait=0.5):
         for key in keys:
