@@ -13,6 +13,7 @@ import subprocess
 
 import gate_tools
 import kernel_ptx
+from kernel_files import key_of
 
 FUNCTION = re.compile(r"Function properties for (\S+)\n\s*(\d+) bytes stack frame, (\d+) bytes spill stores, "
                       r"(\d+) bytes spill loads")
@@ -108,7 +109,7 @@ def collect(source, build):
         command, architecture = pair
         ptx = kernel_ptx.ptx_of(command, cache, command.file, command.options, architecture)
         usages = usages_of(command.compiler, ptx, architecture, folder)
-        file = command.file.resolve().relative_to(source).as_posix()
+        file = key_of(command.file.resolve().relative_to(source).as_posix())
         for name, usage in zip(readable(usages), usages.values()):
             if architecture in found.setdefault((file, name), {}):
                 return [f"{file}: two kernels are called {name}; ptxas.readable() has to tell them apart"]

@@ -2,9 +2,10 @@
 import re
 from pathlib import Path
 
-from mutations import mutants_of
+from mutations import mutants_of  # first: it makes the gates' modules known
+from kernel_files import kernel_files, key_of
 
-# What `gpuwars verify` cannot see, and why. A file, or a file and a function of it.
+# What `gpuwars verify` cannot see, and why. A file by its key (kernel_files.py), or a file and a function of it.
 LEFT_OUT = {
     "game/sim/autopilot.cu": "plays only while a run is recorded; verify plays the inputs of the file",
     "game/sim/candidates.cu": "counts pair tests for the profiler; nothing of the game follows",
@@ -44,6 +45,7 @@ BOUNDARY = ("<", "<=", ">", ">=")  # between real numbers it is met by chance on
 
 def left_out(file, function=""):
     """The reason, or nothing."""
+    file = key_of(file)
     return LEFT_OUT.get(file) or LEFT_OUT.get(f"{file}: {function}")
 
 
@@ -65,9 +67,13 @@ def kernels_of(text):
 
 def files(source):
     """The files whose kernels decide the game."""
-    found = sorted((source / "game/sim").glob("*.cu")) + sorted((source / "game/sim").glob("*.h"))
-    found += [source / "gpu" / name for name in OF_GPU]
-    return [name for name in (str(path.relative_to(source)) for path in found) if not left_out(name)]
+    found = kernel_files(source)
+    keys = [key for suffix in (".cu", ".h") for key in sorted(found) if key.startswith("game/sim/") and key.endswith(suffix)]
+    keys += [f"gpu/{name}" for name in OF_GPU]
+    missing = [key for key in [*keys, *(name.partition(": ")[0] for name in LEFT_OUT)] if key not in found]
+    if missing:
+        raise ValueError(f"tests/mutants/choice.py names {', '.join(missing)}, which is nowhere below game/sim/ or gpu/")
+    return [found[key] for key in keys if not left_out(key)]
 
 
 def slots(source):

@@ -6,8 +6,9 @@ import subprocess
 from dataclasses import dataclass, field
 from itertools import islice
 
+from stages import spread, stages_of  # first: it makes the gates' modules known
+from kernel_files import path_of
 from report import escaped
-from stages import spread, stages_of
 from workshop import Failed
 
 DESYNC = 4  # verify's exit status
@@ -38,7 +39,7 @@ class Place:
 
 def entity_fields(source):
     """The names of the fields that every entity has; all others are globals."""
-    return set(ENTITY_FIELD.findall((source / COLUMNS).read_text(encoding="utf-8")))
+    return set(ENTITY_FIELD.findall(path_of(source, COLUMNS).read_text(encoding="utf-8")))
 
 
 def misplaced(mutant, tick, status, told, of_entities):

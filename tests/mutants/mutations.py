@@ -1,10 +1,14 @@
 """All mutants of one file: a constant, a comparison or a sign inside a kernel's code, changed."""
 import hashlib
 import re
+import sys
 from collections import Counter
 from dataclasses import dataclass, replace
+from pathlib import Path
 
-from kernel_code import device_bodies, plain_code
+sys.path.append(str(Path(__file__).resolve().parent.parent / "gates"))
+from kernel_code import device_bodies, plain_code  # noqa: E402
+from kernel_files import key_of  # noqa: E402
 
 NUMBER = re.compile(
     r"(?<![\w.])(?:0[xX][\da-fA-F]+(?:\.[\da-fA-F]*)?(?:[pP][+-]?\d+)?|\d+\.?\d*(?:[eE][+-]?\d+)?)([fuUlL]*)(?![\w.])")
@@ -37,9 +41,9 @@ class Mutant:
 
     @property
     def name(self):
-        """Stays when other lines change."""
+        """Stays when other lines change, and when the file moves."""
         who = self.function if self.function == self.kernel else f"{self.kernel}.{self.function}"
-        return f"{self.file}: {who}: {self.context} [{self.column}: {self.old} -> {self.new}]" + (
+        return f"{key_of(self.file)}: {who}: {self.context} [{self.column}: {self.old} -> {self.new}]" + (
             f" no. {self.nth}" if self.nth > 1 else "")
 
     @property

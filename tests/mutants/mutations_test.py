@@ -10,11 +10,15 @@ sys.path.insert(0, str(HERE))
 
 from choice import LEFT_OUT, files, kernels_of, left_out, slots  # noqa: E402
 from kernel_code import device_bodies, plain_code  # noqa: E402
+from kernel_files import kernel_files, path_of  # noqa: E402
+from localise import entity_fields  # noqa: E402
 from mutations import changed_number, mutants_of  # noqa: E402
 from report import judged, survivors, table  # noqa: E402
+from stages import stages_of  # noqa: E402
 from trial import Outcome  # noqa: E402
 
 ROOT = HERE.parent.parent
+KERNELS, FILES, SLOTS = 16, 51, 81  # of game/sim that decide; files looked into, those of gpu/ too; what run_mutants tests
 SNIPPET = """// A comment of 11 words, if (a < 12).
 #include "file13.h"
 #define SIZE 14
@@ -129,10 +133,43 @@ class Choice(unittest.TestCase):
         # It has none: it calls two others.
         self.assertEqual(kernels - with_constant, {"RespondAndFinish"})
 
+    def test_counts_every_kernel_of_the_game(self):
+        below = [path for path in (ROOT / "game/sim").rglob("*") if path.suffix in (".cu", ".h")]
+        names = {path.relative_to(ROOT).as_posix(): kernels_of(path.read_text()) for path in below}
+        chosen = {file for file in files(ROOT) if file.startswith("game/sim/")}
+        self.assertEqual(chosen, {file for file in names if not left_out(file)})
+        self.assertEqual((sum(len(names[file]) for file in chosen), len(files(ROOT)), len(slots(ROOT))), (KERNELS, FILES, SLOTS),
+                         "another number of kernels, files or tested places: if that is meant, change it at the top")
+
+    def test_follows_files_that_move(self):
+        with tempfile.TemporaryDirectory() as folder:
+            moved = Path(folder)
+            for number, file in enumerate(sorted(kernel_files(ROOT).values())):
+                top = "gpu" if file.startswith("gpu/") else "game/sim"
+                place = moved / top / f"room{number % 3}" / "deeper" / Path(file).name
+                place.parent.mkdir(parents=True, exist_ok=True)
+                place.write_text((ROOT / file).read_text())
+            here, there = ([(what, [m.name for m in found]) for what, found in slots(root)] for root in (ROOT, moved))
+            self.assertEqual([names for _, names in here], [names for _, names in there])
+            self.assertEqual(entity_fields(moved), entity_fields(ROOT))
+            for key in ("game/sim/think.cu", "game/sim/maintain.cu", "game/sim/sweep.h"):
+                self.assertEqual(stages_of(kernel_files(moved)[key]), stages_of(key))
+            (moved / "game/sim/think.cu").write_text("")
+            with self.assertRaisesRegex(ValueError, "have the same name"):
+                slots(moved)
+
+    def test_refuses_to_lose_a_file(self):
+        with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(ValueError, "philox.h.*nowhere"):
+            for file in kernel_files(ROOT).values():
+                if not file.endswith("philox.h"):
+                    (Path(folder) / file).parent.mkdir(parents=True, exist_ok=True)
+                    (Path(folder) / file).write_text((ROOT / file).read_text())
+            files(Path(folder))
+
     def test_leaves_out_only_what_is_there(self):
         for name in LEFT_OUT:
             file, _, function = name.partition(": ")
-            text = (ROOT / file).read_text()
+            text = path_of(ROOT, file).read_text()
             self.assertTrue(not function or function in text, name)
             self.assertTrue(left_out(file, function), name)
 

@@ -1,9 +1,12 @@
 """In which stages of a tick a mutant is felt first, and the order in which mutants are taken to be localised."""
 
+import mutations  # noqa: F401  makes the gates' modules known
+from kernel_files import key_of
+
 # As step.cu lists them. Autopilot does not run while a replay is verified.
 STAGES = ("logic", "spawn", "maintain", "think", "integrate", "collide", "settle", "hash")
 
-# A file of game/sim that is not a stage itself, or that another stage feels: which stages, and why those.
+# A file of game/sim, by its key (kernel_files.py), that is not a stage itself, or that another stage feels: which stages, and why those.
 FELT_IN = {
     "game/sim/maintain.cu": (("maintain", "think"), "its work is the order of cells, which is no state in an exact game: "
                              "think is the first to look for neighbours in it"),
@@ -27,6 +30,7 @@ FELT_IN = {
 
 def stages_of(file):
     """The stages one of which must be named; raises ValueError for a file of which nobody has said it."""
+    file = key_of(file)
     if file in FELT_IN:
         return FELT_IN[file][0]
     folder, _, name = file.rpartition("/")

@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 from golden_suite import replay_facts
-from matrix import Results, Variant, compare, decisive_digest, digest_of, fill
+from matrix import DECISIVE, Results, Variant, compare, decisive_digest, decisive_files, digest_of, fill
 
 GPUWARS, SOURCE = (Path(path).resolve() for path in sys.argv[1:3])
 del sys.argv[1:3]
@@ -118,6 +118,22 @@ class Matrix(unittest.TestCase):
         program.with_name("decisive_digest").unlink()
         self.assertNotEqual(digest_of(program), whole)
         self.assertIsNone(digest_of(Path("nowhere")))
+
+    def test_what_decides_is_followed_and_never_lost(self):
+        here = decisive_files(SOURCE)
+        self.assertGreater(len(here), 100)
+        self.assertLessEqual({"think.cu", "ngrid.cu", "input_record.h", "floating_point.cmake"}, {file.name for file in here})
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            for number, name in enumerate(DECISIVE):
+                place = root / name
+                place = place if place.suffix else place / f"room{number}" / "z.cu"
+                place.parent.mkdir(parents=True, exist_ok=True)
+                place.write_text(name)
+            self.assertEqual(len(decisive_files(root)), len(DECISIVE))
+            (root / "game/input/input_record.h").unlink()
+            with self.assertRaisesRegex(ValueError, "input_record.h, which is not there"):
+                decisive_files(root)
 
     def test_a_build_of_other_sources_is_not_todays(self):
         variant, program = Variant("way", "none"), self.program("gpuwars", "#!/bin/sh\n")

@@ -75,14 +75,25 @@ DECISIVE = ("cmake", "game/input/input_record.h", "game/sim", "game/tables", "gp
 DIGEST = "decisive_digest"
 
 
+def decisive_files(root):
+    """In an order that does not change when a file moves; ValueError when a part of DECISIVE is nowhere."""
+    found = []
+    for path in (root / name for name in DECISIVE):
+        files = [path] if path.is_file() else [file for file in path.rglob("*") if file.is_file()]
+        if not files:
+            raise ValueError(f"DECISIVE in tests/replays/matrix.py names {path.relative_to(root)}, which is not there: name the "
+                             "place that it moved to")
+        found += sorted(files, key=lambda file: (file.name, file))
+    return found
+
+
 def decisive_digest(variant):
     """Of the sources that decide, the compiler and what it is told."""
     digest = hashlib.sha256(repr(variant.configure).encode())
     compiler = next((option.partition("=")[2] for option in variant.configure if "CXX_COMPILER=" in option), "c++")
     digest.update(subprocess.run([compiler, "--version"], stdout=subprocess.PIPE, check=True).stdout)
-    for path in (ROOT / name for name in DECISIVE):
-        for file in [path] if path.is_file() else sorted(found for found in path.rglob("*") if found.is_file()):
-            digest.update(f"{file.relative_to(ROOT)}\n".encode() + file.read_bytes())
+    for file in decisive_files(ROOT):
+        digest.update(f"{file.name}\n".encode() + file.read_bytes())
     return digest.hexdigest()[:24]
 
 
