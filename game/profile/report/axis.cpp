@@ -55,7 +55,7 @@ double Axis::share(double value) const {
     case Scale::linear:
       return (value - low) / (high - low);
     case Scale::logarithmic:
-      return std::log(value / low) / std::log(high / low);
+      return (std::log(value) - std::log(low)) / (std::log(high) - std::log(low));
     case Scale::nines:
       return std::log10((100 - value) / (100 - low)) / std::log10((100 - high) / (100 - low));
   }
@@ -66,8 +66,8 @@ Axis linearAxis(std::string label, double high, bool tight) {
   if (!(high > 1e-9) || !std::isfinite(high)) high = 1;
   Axis axis{std::move(label), Axis::Scale::linear, 0, high};
   const double step = niceStep(high / kAboutTicks);
-  const double steps = high / step;
-  if (!tight) axis.high = step * std::ceil(steps - kSlack);
+  const double whole = step * std::ceil(high / step - kSlack);
+  if (!tight && std::isfinite(whole)) axis.high = whole;  // the greatest numbers have no whole step above them
   for (int i = 0; i <= axis.high / step + kSlack; ++i) axis.ticks.push_back({i * step, tickText(i * step)});
   return axis;
 }
@@ -78,6 +78,8 @@ Axis logarithmicAxis(std::string label, const Range& range) {
   int from = int(std::floor(std::log10(least))) * 3, to = int(std::ceil(std::log10(most))) * 3;
   while (stepAt(from + 1) <= least * (1 + kSlack)) ++from;
   while (stepAt(to - 1) >= most * (1 - kSlack)) --to;
+  while (!std::isfinite(stepAt(to))) --to;
+  while (stepAt(from) == 0) ++from;
   if (from >= to) {
     to = from + 1;
     --from;

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "game/profile/report/number_text.h"
 #include "game/profile/report/svg.h"
@@ -25,6 +26,18 @@ TEST(PlotAxis, LinearTicksAreRound) {
   EXPECT_EQ(labels(linearAxis("", 57, true)), "0|10|20|30|40|50|");
   EXPECT_EQ(labels(linearAxis("", 0.7)), "0|0.2|0.4|0.6|0.8|");
   EXPECT_EQ(labels(linearAxis("", 8192)), "0|2,000|4,000|6,000|8,000|10,000|");
+}
+
+TEST(PlotAxis, TheGreatestAndTheLeastNumbersHaveTicksToo) {
+  const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  const Axis linear = linearAxis("", most);
+  EXPECT_EQ(labels(linear), "0|5e+307|1e+308|1.5e+308|");
+  EXPECT_EQ(linear.high, most);
+  const Axis logarithmic = logarithmicAxis("", {least, most});
+  EXPECT_GT(logarithmic.low, 0);
+  EXPECT_EQ(logarithmic.high, 1e308);
+  EXPECT_TRUE(std::isfinite(logarithmic.share(1)));
+  EXPECT_LT(logarithmic.ticks.size(), 1000u);
 }
 
 TEST(PlotAxis, LogarithmicTicksAreOneTwoFive) {
