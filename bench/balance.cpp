@@ -21,11 +21,11 @@
 
 #include "bench/balance_run.h"
 #include "bench/balance_table.h"
-#include "game/interrupt.h"
 #include "game/replay/checksum.h"
 #include "game/replay/format.h"
 #include "game/tables/tables.h"
-#include "gpu/processors.h"
+#include "gpu/devices/processors.h"
+#include "host/platform/interrupt.h"
 
 namespace {
 

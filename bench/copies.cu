@@ -2,7 +2,7 @@
 #include <chrono>
 
 #include "bench/copies.h"
-#include "gpu/buffer.h"
+#include "gpu/exec/buffer.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "gpu/exec_options.h"
+#include "gpu/exec/exec_options.h"
 
 namespace gw::bench {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "gpu/device_list.h"
-#include "gpu/kernel_count.h"
+#include "gpu/devices/device_list.h"
+#include "gpu/exec/kernel_count.h"
 
 namespace gw::bench {
 

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "game/replay/replay_reader.h"
-#include "game/viewer/replay_viewer.h"
+#include "game/replay_viewer/replay_viewer.h"
 
 using namespace gw;
 

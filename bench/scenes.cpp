@@ -5,8 +5,8 @@
 #include <random>
 
 #include "bench/fingerprint.h"
+#include "game/sim/behaviour/state_tables.h"
 #include "game/sim/master.h"
-#include "game/sim/state_tables.h"
 #include "game/tables/tables.h"
 
 namespace gw::bench {

@@ -15,8 +15,8 @@ function(gw_compiled_apart target) # file.cpp...
 endfunction()
 
 foreach(device IN ITEMS cpu cuda)
-  gw_compiled_apart(gw_gpu_${device} uniform_grid.cu)
-  gw_compiled_apart(gw_sim_${device} particle_list.cu)
+  gw_compiled_apart(gw_gpu_${device} neighbours/uniform_grid.cu)
+  gw_compiled_apart(gw_sim_${device} draw/particle_list.cu)
 endforeach()
 gw_compiled_apart(gw_render egl_session.cpp gl_context.cpp particle_pass.cpp quad_pass.cpp ring_pass.cpp sprite_pass.cpp)
 gw_compiled_apart(gw_replay replay_parts.cpp replay_writer.cpp)

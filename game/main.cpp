@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "game/command_line.h"
+#include "game/cli/command_line.h"
 #include "game/commands/commands.h"
-#include "game/interrupt.h"
 #include "game/replay/replay.h"
-#include "game/user_error.h"
-#include "gpu/float_state.h"
+#include "gpu/exec/float_state.h"
+#include "host/platform/interrupt.h"
+#include "host/platform/user_error.h"
 
 namespace {
 

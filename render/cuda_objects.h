@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "gpu/cuda_check.h"
+#include "gpu/devices/cuda_check.h"
 #include "render/gl_objects.h"
 
 namespace gw {

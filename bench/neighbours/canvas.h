@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/plain_types.h"
+#include "gpu/math/plain_types.h"
 #include "render/text_font.h"
 
 namespace gw::bench {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/exec_options.h"
-#include "gpu/plain_types.h"
+#include "gpu/exec/exec_options.h"
+#include "gpu/math/plain_types.h"
 
 namespace gw::bench {
 

@@ -4,8 +4,8 @@
 
 #include "bench/neighbours/contender.h"
 #include "bench/neighbours/structures.h"
-#include "gpu/scan_reduce.h"
-#include "gpu/state_hash.h"
+#include "gpu/math/state_hash.h"
+#include "gpu/primitives/scan_reduce.h"
 
 namespace gw::GW_DEVICE {
 namespace {

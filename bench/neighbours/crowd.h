@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/plain_types.h"
+#include "gpu/math/plain_types.h"
 
 namespace gw::bench {
 

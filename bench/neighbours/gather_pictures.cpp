@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "bench/neighbours/pictures.h"
-#include "gpu/brute_force.h"
-#include "gpu/row_gather.h"
-#include "gpu/uniform_grid.h"
-#include "gpu/window_gather.h"
+#include "gpu/neighbours/brute_force.h"
+#include "gpu/neighbours/uniform_grid.h"
+#include "gpu/ngrid/row_gather.h"
+#include "gpu/ngrid/window_gather.h"
 
 namespace gw::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <unordered_map>
 
-#include "gpu/worker_pool.h"
+#include "gpu/exec/worker_pool.h"
 
 namespace gw::bench {
 namespace {
@@ -24,7 +24,7 @@ inline float axis(const Cell3& cell, int which) {
   return which == 0 ? cell.x : which == 1 ? cell.y : cell.z;
 }
 
-// The neighbour test of gpu/neighbour.h: the same float operations in the same order.
+// The neighbour test of gpu/neighbours/neighbour.h: the same float operations in the same order.
 template <class CellT>
 bool near(const CellT& a, const CellT& b, float radius) {
   float sum = 0.0f;

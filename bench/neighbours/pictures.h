@@ -6,7 +6,7 @@
 
 #include "bench/neighbours/canvas.h"
 #include "bench/neighbours/crowd.h"
-#include "gpu/ngrid.h"
+#include "gpu/ngrid/ngrid.h"
 
 namespace gw::bench {
 

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "bench/neighbours/contender.h"
-#include "gpu/brute_force.h"
-#include "gpu/hashed_grid.h"
-#include "gpu/ngrid.h"
-#include "gpu/row_gather.h"
-#include "gpu/uniform_grid.h"
-#include "gpu/window_gather.h"
+#include "gpu/neighbours/brute_force.h"
+#include "gpu/neighbours/hashed_grid.h"
+#include "gpu/neighbours/uniform_grid.h"
+#include "gpu/ngrid/ngrid.h"
+#include "gpu/ngrid/row_gather.h"
+#include "gpu/ngrid/window_gather.h"
 
 namespace gw::GW_DEVICE::ways {
 

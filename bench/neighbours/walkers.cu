@@ -5,7 +5,7 @@
 
 #include "bench/neighbours/structures.h"
 #include "bench/neighbours/walker.h"
-#include "gpu/fixed_sum.h"
+#include "gpu/math/fixed_sum.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -2,7 +2,7 @@
 // is thrown as UserError, FileError or TableError, one sentence each.
 #pragma once
 
-#include "game/command_line.h"
+#include "game/cli/command_line.h"
 
 namespace gw {
 

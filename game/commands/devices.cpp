@@ -5,7 +5,7 @@
 #include "game/commands/commands.h"
 #include "game/commands/json_output.h"
 #include "game/sim/kernel_target.h"
-#include "gpu/device_list.h"
+#include "gpu/devices/device_list.h"
 #include "render/gl_renderers.h"
 
 namespace gw {

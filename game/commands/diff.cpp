@@ -10,7 +10,7 @@
 #include "game/commands/json_output.h"
 #include "game/replay/replay_diff.h"
 #include "game/replay/replay_reader.h"
-#include "game/ui/format.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 namespace {

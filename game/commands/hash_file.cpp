@@ -4,7 +4,7 @@
 #include <cinttypes>
 #include <cstring>
 
-#include "game/user_error.h"
+#include "host/platform/user_error.h"
 
 namespace gw {
 

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "game/files/atomic_file.h"
+#include "host/platform/atomic_file.h"
 
 namespace gw {
 

@@ -2,19 +2,20 @@
 #include <chrono>
 #include <cstdio>
 
-#include "game/camera.h"
 #include "game/commands/commands.h"
 #include "game/commands/hash_file.h"
 #include "game/commands/progress.h"
-#include "game/commands/run_factory.h"
-#include "game/files/atomic_file.h"
-#include "game/interrupt.h"
-#include "game/movie/picture_file.h"
-#include "game/movie/picture_maker.h"
-#include "game/ui/format.h"
+#include "game/session/run_factory.h"
 #include "game/ui/hud.h"
 #include "game/ui/mode_choice.h"
-#include "gpu/kernel_count.h"
+#include "game/ui/tick_text.h"
+#include "game/view/camera.h"
+#include "game/view/picture_maker.h"
+#include "gpu/exec/kernel_count.h"
+#include "host/platform/atomic_file.h"
+#include "host/platform/interrupt.h"
+#include "host/platform/number_format.h"
+#include "host/video/picture_file.h"
 
 namespace gw {
 

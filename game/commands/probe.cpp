@@ -5,8 +5,8 @@
 #include "game/commands/commands.h"
 #include "game/desync/local_probe.h"
 #include "game/desync/probe_protocol.h"
-#include "game/device_choice.h"
 #include "game/replay/replay_reader.h"
+#include "game/session/device_choice.h"
 
 namespace gw {
 

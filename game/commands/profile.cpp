@@ -4,21 +4,21 @@
 #include <cmath>
 #include <cstdio>
 
-#include "game/asset_folder.h"
 #include "game/commands/commands.h"
 #include "game/commands/progress.h"
-#include "game/device_choice.h"
-#include "game/files/atomic_file.h"
-#include "game/interrupt.h"
-#include "game/profile/figures/baseline.h"
+#include "game/profile/metrics/baseline.h"
 #include "game/profile/report/frames_csv.h"
 #include "game/profile/report/report_json.h"
 #include "game/profile/report/summary.h"
 #include "game/profile/report/write_report.h"
 #include "game/profile/session/session.h"
 #include "game/profile/session/trace.h"
-#include "game/ui/format.h"
-#include "game/user_error.h"
+#include "game/session/device_choice.h"
+#include "host/platform/asset_folder.h"
+#include "host/platform/atomic_file.h"
+#include "host/platform/interrupt.h"
+#include "host/platform/number_format.h"
+#include "host/platform/user_error.h"
 
 namespace gw {
 

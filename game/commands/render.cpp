@@ -4,19 +4,19 @@
 #include <chrono>
 #include <cstdio>
 
-#include "game/asset_folder.h"
 #include "game/commands/commands.h"
 #include "game/commands/progress.h"
-#include "game/commands/replay_file.h"
-#include "game/device_choice.h"
-#include "game/interrupt.h"
-#include "game/movie/frame_sink.h"
-#include "game/movie/frame_times.h"
-#include "game/movie/picture_maker.h"
-#include "game/ui/format.h"
+#include "game/replay_viewer/replay_player.h"
+#include "game/session/device_choice.h"
+#include "game/session/replay_file.h"
 #include "game/ui/hud.h"
-#include "game/user_error.h"
-#include "game/viewer/replay_player.h"
+#include "game/view/frame_times.h"
+#include "game/view/picture_maker.h"
+#include "host/platform/asset_folder.h"
+#include "host/platform/interrupt.h"
+#include "host/platform/number_format.h"
+#include "host/platform/user_error.h"
+#include "host/video/frame_sink.h"
 
 namespace gw {
 

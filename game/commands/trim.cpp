@@ -6,13 +6,13 @@
 #include "game/commands/commands.h"
 #include "game/commands/hash_file.h"
 #include "game/commands/progress.h"
-#include "game/device_choice.h"
-#include "game/files/part_file.h"
-#include "game/interrupt.h"
 #include "game/replay/replay_reader.h"
 #include "game/replay/replay_writer.h"
-#include "game/ui/format.h"
-#include "game/user_error.h"
+#include "game/session/device_choice.h"
+#include "host/platform/interrupt.h"
+#include "host/platform/number_format.h"
+#include "host/platform/part_file.h"
+#include "host/platform/user_error.h"
 
 namespace gw {
 namespace {

@@ -13,10 +13,10 @@
 #include "game/commands/json_output.h"
 #include "game/commands/progress.h"
 #include "game/commands/verify_report.h"
-#include "game/files/atomic_file.h"
-#include "game/interrupt.h"
-#include "game/ui/format.h"
-#include "gpu/kernel_count.h"
+#include "gpu/exec/kernel_count.h"
+#include "host/platform/atomic_file.h"
+#include "host/platform/interrupt.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

@@ -7,8 +7,8 @@
 
 #include "game/commands/hash_file.h"
 #include "game/desync/desync_text.h"
-#include "game/profile/report/xml_text.h"
-#include "game/ui/format.h"
+#include "host/platform/markup_text.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 namespace {

@@ -8,11 +8,11 @@
 #include "game/desync/desync_text.h"
 #include "game/desync/local_probe.h"
 #include "game/desync/remote_probe.h"
-#include "game/interrupt.h"
 #include "game/replay/replay_reader.h"
-#include "game/user_error.h"
-#include "gpu/float_state.h"
-#include "gpu/processors.h"
+#include "gpu/devices/processors.h"
+#include "gpu/exec/float_state.h"
+#include "host/platform/interrupt.h"
+#include "host/platform/user_error.h"
 
 namespace gw {
 namespace {

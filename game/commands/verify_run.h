@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "game/command_line.h"
+#include "game/cli/command_line.h"
 #include "game/commands/run_facts.h"
 #include "game/desync/desync_finder.h"
-#include "game/device_choice.h"
+#include "game/session/device_choice.h"
 
 namespace gw {
 

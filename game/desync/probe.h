@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "game/sim/inspection.h"
+#include "game/sim/debug/inspection.h"
 
 namespace gw {
 

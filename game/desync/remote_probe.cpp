@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "game/desync/probe_protocol.h"
-#include "game/processes/child_process.h"
+#include "host/platform/child_process.h"
 
 namespace gw {
 

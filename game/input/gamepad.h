@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "game/input/bindings.h"
-#include "game/input/input_record.h"
-#include "game/input/pad_turns.h"
+#include "game/sim/input_record.h"
+#include "host/input/bindings.h"
+#include "host/input/pad_turns.h"
 
 namespace gw {
 

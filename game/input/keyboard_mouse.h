@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdint>
 
-#include "game/input/bindings.h"
-#include "game/input/input_record.h"
+#include "game/sim/input_record.h"
+#include "host/input/bindings.h"
 
 namespace gw {
 

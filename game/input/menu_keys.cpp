@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/input/bindings.h"
 #include "game/input/gamepad.h"
+#include "host/input/bindings.h"
 
 namespace gw {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "game/input/pad_turns.h"
+#include "host/input/pad_turns.h"
 
 namespace gw {
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "game/files/atomic_file.h"
 #include "game/replay/replay_parts.h"
 #include "game/replay/replay_writer.h"
+#include "host/platform/atomic_file.h"
 
 namespace gw {
 namespace {

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "game/files/growing_file.h"
 #include "game/replay/replay.h"
+#include "host/platform/growing_file.h"
 
 namespace gw {
 

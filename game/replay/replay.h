@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "game/files/atomic_file.h"
-#include "game/input/input_record.h"
 #include "game/replay/format.h"
+#include "game/sim/input_record.h"
 #include "game/sim/simulation.h"
 #include "game/tables/rule_texts.h"
+#include "host/platform/atomic_file.h"
 
 namespace gw {
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <stdexcept>
 
-#include "game/files/atomic_file.h"
 #include "game/replay/byte_order.h"
 #include "game/replay/checksum.h"
 #include "game/replay/replay_parts.h"
+#include "host/platform/atomic_file.h"
 
 namespace gw {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "game/input/control_names.h"
+#include "host/input/control_names.h"
 
 namespace gw {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "game/input/bindings.h"
+#include "host/input/bindings.h"
 
 namespace gw {
 

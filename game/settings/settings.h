@@ -2,7 +2,7 @@
 // a default, so that a missing or damaged entry costs that entry only.
 #pragma once
 
-#include "game/input/bindings.h"
+#include "host/input/bindings.h"
 
 namespace gw {
 

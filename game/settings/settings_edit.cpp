@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "game/settings/settings_lines.h"
-#include "game/tables/toml_library.h"
+#include "host/platform/toml_library.h"
 
 namespace gw {
 

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "game/files/atomic_file.h"
 #include "game/settings/settings_edit.h"
 #include "game/settings/settings_lines.h"
+#include "host/platform/atomic_file.h"
 
 namespace gw {
 

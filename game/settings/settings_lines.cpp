@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "game/input/control_names.h"
 #include "game/settings/settings_fields.h"
+#include "host/input/control_names.h"
 
 namespace gw {
 

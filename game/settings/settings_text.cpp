@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "game/input/control_names.h"
 #include "game/settings/settings_fields.h"
 #include "game/settings/settings_lines.h"
-#include "game/tables/toml_library.h"
+#include "host/input/control_names.h"
+#include "host/platform/toml_library.h"
 
 namespace gw {
 

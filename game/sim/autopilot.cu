@@ -2,8 +2,8 @@
 // gets recorded. Bots see what a player sees: no states, only what is within the view, and late: a place is
 // taken back along its velocity by the bot's reaction time.
 #include "game/sim/stages.h"
-#include "gpu/exact_math.h"
-#include "gpu/philox.h"
+#include "gpu/math/exact_math.h"
+#include "gpu/math/philox.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -4,12 +4,12 @@
 
 #include "game/sim/master.h"
 #include "game/sim/simulation.h"
-#include "gpu/brute_force.h"
-#include "gpu/hashed_grid.h"
-#include "gpu/ngrid.h"
-#include "gpu/row_gather.h"
-#include "gpu/uniform_grid.h"
-#include "gpu/window_gather.h"
+#include "gpu/neighbours/brute_force.h"
+#include "gpu/neighbours/hashed_grid.h"
+#include "gpu/neighbours/uniform_grid.h"
+#include "gpu/ngrid/ngrid.h"
+#include "gpu/ngrid/row_gather.h"
+#include "gpu/ngrid/window_gather.h"
 
 namespace gw::GW_DEVICE {
 

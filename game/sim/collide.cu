@@ -9,11 +9,11 @@
 //
 // Gathers search `cells` (the start of the tick, sorted), with radii widened by what a tick can move. An inexact
 // gather misses some, and need not be symmetric: a shot whose victim does not see it flies on unhindered.
+#include "game/sim/contact/overlap.h"
+#include "game/sim/contact/pushes.h"
+#include "game/sim/contact/sweep.h"
 #include "game/sim/entity_flags.h"
-#include "game/sim/overlap.h"
-#include "game/sim/pushes.h"
 #include "game/sim/stages.h"
-#include "game/sim/sweep.h"
 
 namespace gw::GW_DEVICE {
 namespace {

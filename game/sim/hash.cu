@@ -7,8 +7,8 @@
 // seen in the tick in which it happens, and not when something goes wrong because of it.
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
-#include "gpu/bits.h"
-#include "gpu/state_hash.h"
+#include "gpu/math/bits.h"
+#include "gpu/math/state_hash.h"
 
 namespace gw::GW_DEVICE {
 namespace {

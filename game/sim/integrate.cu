@@ -2,7 +2,7 @@
 // place before is kept. Reads `cells`, writes `moved` for every cell, the dead ones too.
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
-#include "gpu/exact_math.h"
+#include "gpu/math/exact_math.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -1,7 +1,7 @@
 // Logic: the master thread. One item, O(1): it never loops over entities, only over rules and commands.
+#include "game/sim/behaviour/waves.h"
 #include "game/sim/stages.h"
-#include "game/sim/waves.h"
-#include "gpu/exact_math.h"
+#include "gpu/math/exact_math.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-#include "game/input/input_record.h"
+#include "game/sim/behaviour/state_tables.h"
 #include "game/sim/hash_fields.h"
+#include "game/sim/input_record.h"
 #include "game/sim/rules.h"
-#include "game/sim/state_tables.h"
 
 namespace gw {
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "game/input/input_record.h"
+#include "game/sim/behaviour/state_tables.h"
+#include "game/sim/draw/particle.h"
 #include "game/sim/hash_fields.h"
-#include "game/sim/particle.h"
+#include "game/sim/input_record.h"
 #include "game/sim/rules.h"
-#include "game/sim/state_tables.h"
-#include "gpu/device_error.h"
-#include "gpu/exec_options.h"
+#include "gpu/devices/device_error.h"
+#include "gpu/exec/exec_options.h"
 #include "render/sprite_vertex.h"
 
 namespace gw {
@@ -215,7 +215,7 @@ class Simulation {
   virtual bool timesStages() const = 0;
   virtual std::vector<StageTime> stageTimes() const = 0;
 
-  // The game laid open (game/sim/inspection.h); lives as long as its device does.
+  // The game laid open (game/sim/debug/inspection.h); lives as long as its device does.
   virtual Inspection& inspection() = 0;
 
   // Kernels of the last tick that was put together. Copies of the records and events are nodes beside them.
@@ -231,7 +231,7 @@ class Simulation {
   // Whether draw targets are addresses of the cuda device; else of the host.
   virtual bool onCuda() const = 0;
   // Gives up the device, for a reason that its users met; throws DeviceError with that reason when nothing can take
-  // its place (game/failover.h).
+  // its place (game/session/failover.h).
   virtual void dropDevice(const std::string& why);
   // Why an earlier device was given up; empty: none was.
   virtual std::string dropped() const { return {}; }

@@ -3,17 +3,17 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "game/sim/candidates.h"
-#include "game/sim/census.h"
-#include "game/sim/draw_list.h"
-#include "game/sim/inspection.h"
-#include "game/sim/particle_list.h"
+#include "game/sim/debug/inspection.h"
+#include "game/sim/debug/state_columns.h"
+#include "game/sim/draw/draw_list.h"
+#include "game/sim/draw/particle_list.h"
+#include "game/sim/queries/candidates.h"
+#include "game/sim/queries/census.h"
 #include "game/sim/simulation.h"
 #include "game/sim/snapshot.h"
-#include "game/sim/state_columns.h"
 #include "game/sim/step.h"
-#include "gpu/record_ring.h"
-#include "gpu/tick_graph.h"
+#include "gpu/exec/record_ring.h"
+#include "gpu/exec/tick_graph.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -1,8 +1,8 @@
 // Spawn: births take the lowest free ids, commands first and in order, then the bits of what died in the
 // last tick by parent id. Free ids are ranked by a scan over ids, never over cells, so that the NGrid's
 // arrangement cannot be felt. What died leaves its cell here.
+#include "game/sim/behaviour/spawn_patterns.h"
 #include "game/sim/entity_flags.h"
-#include "game/sim/spawn_patterns.h"
 #include "game/sim/stages.h"
 
 namespace gw::GW_DEVICE {

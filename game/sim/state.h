@@ -6,12 +6,12 @@
 // (force + energy, direction + mass) take turns likewise: think reads the front, writes the back.
 #pragma once
 
+#include "game/sim/behaviour/state_tables.h"
 #include "game/sim/broad_phase.h"
 #include "game/sim/master.h"
 #include "game/sim/simulation.h"
-#include "game/sim/state_tables.h"
-#include "gpu/scan_reduce.h"
-#include "gpu/state_hash.h"
+#include "gpu/math/state_hash.h"
+#include "gpu/primitives/scan_reduce.h"
 
 namespace gw::GW_DEVICE {
 

@@ -1,9 +1,9 @@
 // One tick of the game.
 #pragma once
 
-#include "game/sim/particles.h"
+#include "game/sim/draw/particles.h"
 #include "game/sim/state.h"
-#include "gpu/stage_timer.h"
+#include "gpu/exec/stage_timer.h"
 
 namespace gw::GW_DEVICE {
 

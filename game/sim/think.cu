@@ -2,9 +2,9 @@
 // ship. Reads the front of force + energy and direction + mass, writes the back, for every living entity.
 //
 // In two passes: warn, in which the few shots tell the many enemies ahead of them that they come; and think.
-#include "game/sim/behaviour_group.h"
-#include "game/sim/behaviour_kamikaze.h"
-#include "game/sim/behaviour_tricky.h"
+#include "game/sim/behaviour/behaviour_group.h"
+#include "game/sim/behaviour/behaviour_kamikaze.h"
+#include "game/sim/behaviour/behaviour_tricky.h"
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
 

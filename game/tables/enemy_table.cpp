@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "game/sim/state_tables.h"
+#include "game/sim/behaviour/state_tables.h"
 #include "game/tables/toml_reader.h"
 
 namespace gw {

@@ -6,7 +6,7 @@
 #include "game/tables/enemy_table.h"
 #include "game/tables/game_table.h"
 #include "game/tables/wave_table.h"
-#include "gpu/float_state.h"
+#include "gpu/exec/float_state.h"
 
 namespace gw {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/tables/toml_library.h"
+#include "host/platform/toml_library.h"
 
 namespace gw {
 

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/ui/format.h"
 #include "game/ui/hud.h"
 #include "game/ui/shape_icon.h"
 #include "game/ui/theme.h"
+#include "game/ui/tick_text.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

@@ -1,9 +1,9 @@
 // The end of a run: what was reached, what ended it, and the shortest way to the next one.
 #pragma once
 
+#include "game/session/run_monitor.h"
 #include "game/ui/canvas.h"
 #include "game/ui/key_hints.h"
-#include "game/ui/run_monitor.h"
 #include "game/ui/session_best.h"
 
 namespace gw {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/ui/format.h"
 #include "game/ui/theme.h"
+#include "game/ui/tick_text.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "game/session/run_monitor.h"
 #include "game/ui/canvas.h"
-#include "game/ui/run_monitor.h"
 
 namespace gw {
 

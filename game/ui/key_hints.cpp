@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "game/input/control_names.h"
-#include "game/input/key_labels.h"
+#include "host/input/control_names.h"
+#include "host/input/key_labels.h"
 
 namespace gw {
 

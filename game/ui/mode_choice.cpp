@@ -1,7 +1,7 @@
 #include "game/ui/mode_choice.h"
 
-#include "game/ui/format.h"
 #include "game/ui/theme.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

@@ -1,8 +1,8 @@
 #include "game/ui/pause.h"
 
-#include "game/ui/format.h"
 #include "game/ui/shape_icon.h"
 #include "game/ui/theme.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

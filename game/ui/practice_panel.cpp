@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "game/ui/format.h"
 #include "game/ui/shape_icon.h"
 #include "game/ui/theme.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

@@ -1,6 +1,7 @@
 #include "game/ui/session_best.h"
 
-#include "game/ui/format.h"
+#include "game/ui/tick_text.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

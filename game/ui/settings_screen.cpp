@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "game/input/control_names.h"
 #include "game/settings/rebind.h"
 #include "game/settings/settings_fields.h"
 #include "game/ui/theme.h"
+#include "host/input/control_names.h"
 
 namespace gw {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "game/ui/format.h"
 #include "game/ui/theme.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

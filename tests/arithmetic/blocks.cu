@@ -1,4 +1,4 @@
-#include "gpu/buffer.h"
+#include "gpu/exec/buffer.h"
 #include "tests/arithmetic/blocks.h"
 #include "tests/arithmetic/inputs.h"
 

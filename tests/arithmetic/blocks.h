@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gpu/exec_options.h"
+#include "gpu/exec/exec_options.h"
 
 namespace gw::test {
 

@@ -1,9 +1,9 @@
 // Which operands an input's number stands for, and the hash of results.
 #pragma once
 
-#include "gpu/bits.h"
-#include "gpu/philox.h"
-#include "gpu/state_hash.h"
+#include "gpu/math/bits.h"
+#include "gpu/math/philox.h"
+#include "gpu/math/state_hash.h"
 #include "tests/arithmetic/blocks.h"
 
 namespace gw::GW_DEVICE {

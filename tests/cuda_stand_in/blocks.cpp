@@ -17,7 +17,7 @@ constinit thread_local uint3 threadIdx, blockIdx;
 constinit thread_local dim3 blockDim, gridDim;
 
 namespace gw::cuda {
-// What gpu/exec_cuda.h declares.
+// What gpu/exec/exec_cuda.h declares.
 extern constinit thread_local unsigned char sharedBytes[];
 alignas(128) constinit thread_local unsigned char sharedBytes[228 * 1024];
 }  // namespace gw::cuda

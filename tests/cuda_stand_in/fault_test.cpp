@@ -9,9 +9,9 @@
 #include <set>
 #include <sstream>
 
-#include "game/device_choice.h"
+#include "game/session/device_choice.h"
 #include "game/tables/tables.h"
-#include "game/user_error.h"
+#include "host/platform/user_error.h"
 #include "stand_in.h"
 
 namespace gw {

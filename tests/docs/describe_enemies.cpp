@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "game/sim/state_tables.h"
+#include "game/sim/behaviour/state_tables.h"
 #include "game/tables/tables.h"
 
 namespace {

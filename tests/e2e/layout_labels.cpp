@@ -6,8 +6,8 @@
 #include <iostream>
 #include <string>
 
-#include "game/input/bindings.h"
 #include "game/ui/key_hints.h"
+#include "host/input/bindings.h"
 
 int main() {
   if (SDL_Init(SDL_INIT_VIDEO) != 0) {

@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "game/command_line.h"
+#include "game/cli/command_line.h"
 #include "game/commands/commands.h"
 
 namespace {

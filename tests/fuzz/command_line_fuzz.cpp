@@ -1,5 +1,5 @@
 // The command line: each line of the input is one argument.
-#include "game/command_line.h"
+#include "game/cli/command_line.h"
 #include "tests/fuzz/fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

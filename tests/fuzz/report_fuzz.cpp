@@ -1,8 +1,8 @@
 // The report.json that --baseline names. What is read of it is written and read as the same, and any two reports can be
 // held against each other.
-#include "game/files/atomic_file.h"
-#include "game/profile/figures/baseline.h"
+#include "game/profile/metrics/baseline.h"
 #include "game/profile/report/report_json.h"
+#include "host/platform/atomic_file.h"
 #include "tests/fuzz/fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

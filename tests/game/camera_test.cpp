@@ -1,4 +1,4 @@
-#include "game/camera.h"
+#include "game/view/camera.h"
 
 #include <gtest/gtest.h>
 

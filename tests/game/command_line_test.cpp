@@ -1,5 +1,5 @@
 // The command line, option by option: what it gives, and the sentence for what it refuses.
-#include "game/command_line.h"
+#include "game/cli/command_line.h"
 
 #include <gtest/gtest.h>
 

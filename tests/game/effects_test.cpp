@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "game/effects/overlay.h"
 #include "game/effects/run_effects.h"
+#include "game/ui/overlay.h"
 
 namespace gw {
 namespace {

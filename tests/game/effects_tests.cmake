@@ -1,6 +1,6 @@
 # Effects: what follows from reports needs nothing; what draws needs OpenGL.
 add_executable(game_effects_test effects_test.cpp)
-target_link_libraries(game_effects_test PRIVATE gw_effects GTest::gtest_main)
+target_link_libraries(game_effects_test PRIVATE gw_effects gw_ui GTest::gtest_main)
 gtest_discover_tests(game_effects_test)
 
 add_executable(world_view_gl_test world_view_gl_test.cpp)

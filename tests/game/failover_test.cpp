@@ -1,10 +1,10 @@
 // A game whose device fails goes on with the next one: the same reports, whichever call it was that failed.
-#include "game/failover.h"
+#include "game/session/failover.h"
 
 #include <gtest/gtest.h>
 
 #include "game/tables/tables.h"
-#include "gpu/device_error.h"
+#include "gpu/devices/device_error.h"
 
 namespace gw {
 namespace {

@@ -13,11 +13,11 @@
 #include <iterator>
 #include <string>
 
-#include "game/files/atomic_file.h"
-#include "game/files/doomed_file.h"
-#include "game/files/growing_file.h"
-#include "game/files/remedy.h"
-#include "game/files/replace_file.h"
+#include "host/platform/atomic_file.h"
+#include "host/platform/doomed_file.h"
+#include "host/platform/growing_file.h"
+#include "host/platform/remedy.h"
+#include "host/platform/replace_file.h"
 
 namespace gw::test {
 namespace {

@@ -1,5 +1,5 @@
 // The events of a frame: what a pad sends on its way out; and what SDL says of failures.
-#include "game/input/frame_events.h"
+#include "host/input/frame_events.h"
 
 #include <gtest/gtest.h>
 

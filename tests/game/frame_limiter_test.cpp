@@ -1,12 +1,12 @@
 // How fast frames come, by a clock that is only counted; and full screen that takes its time.
-#include "game/frame_limiter.h"
+#include "game/session/frame_limiter.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "game/fullscreen_switch.h"
-#include "game/tick_pacer.h"
+#include "game/app/fullscreen_switch.h"
+#include "game/session/tick_pacer.h"
 
 namespace gw {
 namespace {

@@ -22,7 +22,7 @@ target_link_libraries(game_host_test PRIVATE gw_command_line gw_replay gw_tables
 gtest_discover_tests(game_host_test)
 
 add_executable(game_files_test ${here}/files_test.cpp ${here}/locale_test.cpp)
-target_link_libraries(game_files_test PRIVATE gw_files gw_ui gw_profile_figures GTest::gtest_main)
+target_link_libraries(game_files_test PRIVATE gw_platform gw_ui gw_profile_figures GTest::gtest_main)
 gtest_discover_tests(game_files_test)
 
 add_executable(failover_test ${here}/failover_test.cpp)

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cstring>
 
-#include "game/failover.h"
-#include "game/instruments/broad_phase_switch.h"
-#include "game/instruments/frame_history.h"
-#include "game/instruments/notice.h"
-#include "game/instruments/overlay_figures.h"
+#include "game/overlay/broad_phase_switch.h"
+#include "game/overlay/notice.h"
+#include "game/overlay/overlay_figures.h"
+#include "game/session/failover.h"
 #include "game/tables/tables.h"
-#include "gpu/device_error.h"
+#include "gpu/devices/device_error.h"
+#include "host/overlay/frame_history.h"
 #include "tests/game/remembering_canvas.h"
 
 namespace gw {

@@ -1,13 +1,13 @@
 // Keys by name: in the settings file the same for every layout and every SDL, on the screens as they are printed.
-#include "game/input/key_labels.h"
+#include "host/input/key_labels.h"
 
 #include <SDL.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "game/input/control_names.h"
-#include "game/input/key_names.h"
+#include "host/input/control_names.h"
+#include "host/input/key_names.h"
 
 namespace gw {
 namespace {

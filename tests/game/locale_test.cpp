@@ -8,8 +8,9 @@
 #include <filesystem>
 #include <string>
 
-#include "game/profile/figures/baseline.h"
-#include "game/ui/format.h"
+#include "game/profile/metrics/baseline.h"
+#include "game/ui/tick_text.h"
+#include "host/platform/number_format.h"
 
 namespace gw::test {
 namespace {

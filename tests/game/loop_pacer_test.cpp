@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "game/tick_pacer.h"
+#include "game/session/tick_pacer.h"
 
 namespace gw {
 namespace {

@@ -3,9 +3,9 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
-#include "game/input/frame_events.h"
-#include "game/input/pad_devices.h"
 #include "game/input/player_input.h"
+#include "host/input/frame_events.h"
+#include "host/input/pad_devices.h"
 
 namespace gw {
 namespace {

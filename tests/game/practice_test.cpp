@@ -1,5 +1,5 @@
 // What practice asks for: from presses to the bits of records.
-#include "game/practice.h"
+#include "game/session/practice.h"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include <fstream>
 #include <optional>
 
-#include "game/files/part_file.h"
 #include "game/replay/recorder.h"
 #include "game/replay/replay_reader.h"
+#include "host/platform/part_file.h"
 #include "tests/game/replay_allocation_watch.h"
 #include "tests/game/replay_samples.h"
 

@@ -8,8 +8,8 @@
 #include <functional>
 #include <set>
 
-#include "game/input/control_names.h"
 #include "game/settings/settings_fields.h"
+#include "host/input/control_names.h"
 #include "tests/game/settings_samples.h"
 
 namespace gw::test {

@@ -1,5 +1,5 @@
 // What toml++ is kept from: characters outside ASCII where it looks for white space, and assertions about a text.
-#include "game/tables/toml_library.h"
+#include "host/platform/toml_library.h"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "game/ui/format.h"
+#include "game/app/screen_flow.h"
 #include "game/ui/game_over.h"
 #include "game/ui/hud.h"
 #include "game/ui/pause.h"
-#include "game/ui/screen_flow.h"
+#include "game/ui/tick_text.h"
 #include "game/ui/title.h"
+#include "host/platform/number_format.h"
 #include "tests/game/remembering_canvas.h"
 
 namespace gw {

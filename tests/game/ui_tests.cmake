@@ -1,6 +1,6 @@
 # Camera, pacing, input and screens: everything about the window that needs no window.
 add_executable(game_pacing_test camera_test.cpp frame_limiter_test.cpp loop_pacer_test.cpp practice_test.cpp)
-target_link_libraries(game_pacing_test PRIVATE gw_pacing GTest::gtest_main)
+target_link_libraries(game_pacing_test PRIVATE gw_pacing gw_view GTest::gtest_main)
 gtest_discover_tests(game_pacing_test)
 
 if(GW_WINDOW)
@@ -12,8 +12,8 @@ if(GW_WINDOW)
 endif()
 
 add_executable(game_ui_test ui_modes_test.cpp ui_test.cpp ui_font_test.cpp)
-target_compile_definitions(game_ui_test PRIVATE GW_SOURCE_ASSETS="${PROJECT_SOURCE_DIR}/assets")
-target_link_libraries(game_ui_test PRIVATE gw_ui GTest::gtest_main)
+target_compile_definitions(game_ui_test PRIVATE gw_screen_flow GW_SOURCE_ASSETS="${PROJECT_SOURCE_DIR}/assets")
+target_link_libraries(game_ui_test PRIVATE gw_screen_flow gw_ui GTest::gtest_main)
 gtest_discover_tests(game_ui_test)
 
 if(GW_WINDOW)

@@ -8,13 +8,13 @@
 #include <iterator>
 #include <random>
 
-#include "game/files/atomic_file.h"
-#include "game/movie/film_file.h"
-#include "game/movie/frame_times.h"
-#include "game/movie/mp4_file.h"
-#include "game/movie/picture_folder.h"
-#include "game/processes/fed_process.h"
-#include "game/user_error.h"
+#include "game/view/frame_times.h"
+#include "host/platform/atomic_file.h"
+#include "host/platform/fed_process.h"
+#include "host/platform/user_error.h"
+#include "host/video/film_file.h"
+#include "host/video/mp4_file.h"
+#include "host/video/picture_folder.h"
 
 namespace gw::test {
 namespace {

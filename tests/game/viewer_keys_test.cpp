@@ -1,5 +1,5 @@
 // The viewer's keys and mouse, from the events that a window sends.
-#include "game/viewer/viewer_keys.h"
+#include "game/replay_viewer/viewer_keys.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Which moments of a replay are kept: close enough in ticks and in work, within the budget.
 #include <gtest/gtest.h>
 
-#include "game/viewer/moments.h"
+#include "game/replay_viewer/moments.h"
 
 namespace gw::test {
 namespace {

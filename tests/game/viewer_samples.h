@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "game/replay/replay.h"
-#include "game/run.h"
+#include "game/session/run.h"
 
 namespace gw::test {
 

@@ -1,11 +1,11 @@
 // What is shown around a replay, and what hand and mouse say: time bar, hints, speeds, free camera.
 #include <gtest/gtest.h>
 
+#include "game/replay_viewer/free_camera.h"
+#include "game/replay_viewer/speeds.h"
+#include "game/replay_viewer/time_bar.h"
+#include "game/replay_viewer/viewer_help.h"
 #include "game/ui/key_hints.h"
-#include "game/viewer/free_camera.h"
-#include "game/viewer/speeds.h"
-#include "game/viewer/time_bar.h"
-#include "game/viewer/viewer_help.h"
 #include "remembering_canvas.h"
 #include "render/text_font.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "game/viewer/replay_viewer.h"
+#include "game/replay_viewer/replay_viewer.h"
 #include "viewer_samples.h"
 
 namespace gw::test {

@@ -1,9 +1,9 @@
 // A frame of a run: an effect that is switched off leaves nothing behind.
 #include <algorithm>
 
-#include "game/failover.h"
+#include "game/session/failover.h"
 #include "game/tables/tables.h"
-#include "game/world_view.h"
+#include "game/view/world_view.h"
 #include "render/screenshot.h"
 #include "tests/render/gl_fixture.h"
 

@@ -7,7 +7,7 @@ import re
 
 import gate_tools
 
-# gpu/exact_math.h has our own; min, max are ternaries.
+# gpu/math/exact_math.h has our own; min, max are ternaries.
 LIBRARY = ("sin cos tan asin acos atan atan2 sincos sinh cosh tanh exp exp2 exp10 expm1 log log2 log10 log1p "
            "pow hypot cbrt fma fmin fmax fmod remainder erf tgamma lgamma rsqrt rcbrt sinpi cospi "
            "lrint llrint").split()

@@ -1,4 +1,4 @@
-"""Includes go one way: gpu <- render <- game <- {tests, bench}; labs stand on gpu and render.
+"""Includes go one way: gpu <- render <- host <- {game, labs} <- {tests, bench}.
 
 game/sim and game/autopilot run on the device: of render/ they may know only the plain vertex struct. Of libraries only
 public headers are included: the others move from version to version.
@@ -8,14 +8,15 @@ import re
 
 import gate_tools
 
-LAYERS = ("gpu", "render", "game", "labs", "bench", "tests", "tools", "assets")
+LAYERS = ("gpu", "render", "host", "game", "labs", "bench", "tests", "tools", "assets")
 MAY_INCLUDE = {
     "gpu": {"gpu"},
     "render": {"gpu", "render"},
-    "game": {"gpu", "render", "game"},
-    "labs": {"gpu", "render", "labs"},
-    "bench": {"gpu", "render", "game", "labs", "bench", "tests"},
-    "tests": {"gpu", "render", "game", "labs", "bench", "tests"},
+    "host": {"gpu", "render", "host"},
+    "game": {"gpu", "render", "host", "game"},
+    "labs": {"gpu", "render", "host", "labs"},
+    "bench": {"gpu", "render", "host", "game", "labs", "bench", "tests"},
+    "tests": {"gpu", "render", "host", "game", "labs", "bench", "tests"},
     "tools": {"tools"},
     "assets": set(),
 }
@@ -71,6 +72,8 @@ def planted(build, folder):
         "render/angled.h": "#include <game/sim/state.h>\n",
         "render/upwards.cpp": '#include "../game/sim/state.h"\n',
         "render/sprite_vertex.h": "\n",
+        "host/h.h": '#include "render/sprite_vertex.h"\n#include "game/sim/state.h"\n',
+        "render/on_host.h": '#include "host/h.h"\n',
         "game/sim/state.h": '#include "render/sprite_vertex.h"\n',
         "game/sim/draw.cu": '#include "render/b.h"\n',
         "game/main.cpp": '#include "render/b.h"\n#include "gpu/a.h"\n#include "tests/t.h"\n',
@@ -83,7 +86,7 @@ def planted(build, folder):
         (folder / name).write_text(text)
     offences = check(folder, build)
     expected = ["gpu/a.h: ", "gpu/by_folder.h", "gpu/by_folder_angled.cu", "render/b.h: ", "render/angled.h",
-                "render/upwards.cpp", "game/sim/draw.cu", "game/main.cpp", "game/parser.cpp: toml++/impl/parser.h",
+                "render/upwards.cpp", "host/h.h: host/ must not include game/sim/state.h", "render/on_host.h", "game/sim/draw.cu", "game/main.cpp", "game/parser.cpp: toml++/impl/parser.h",
                 "labs/l.cpp", "tools/t.cpp"]
     escaped = gate_tools.escaped("planted include", offences, expected)
     if len(offences) != len(expected):

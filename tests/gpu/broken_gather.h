@@ -2,7 +2,7 @@
 // that someone would make when writing it.
 #pragma once
 
-#include "gpu/row_gather.h"
+#include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/probes.h"
 
 namespace gw::GW_DEVICE {

@@ -1,4 +1,4 @@
-#include "gpu/cuda_state.h"
+#include "gpu/devices/cuda_state.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gpu/device_list.h"
+#include "gpu/devices/device_list.h"
 
 #include <gtest/gtest.h>
 

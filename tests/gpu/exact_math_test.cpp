@@ -1,7 +1,7 @@
 // The largest errors of exact_math.h against double precision, and what its functions do at the edges. The
 // figures in the header are these bounds: a test fails when an error passes its bound, and also when the
 // bound says much more than what is measured.
-#include "gpu/exact_math.h"
+#include "gpu/math/exact_math.h"
 
 #include <gtest/gtest.h>
 

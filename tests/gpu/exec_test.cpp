@@ -1,5 +1,5 @@
 // forEach and forEachTeam: every item once, phases in order, whatever the order of visits.
-#include "gpu/exec.h"
+#include "gpu/exec/exec.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gpu/fixed_sum.h"
+#include "gpu/math/fixed_sum.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "gpu/bits.h"
+#include "gpu/math/bits.h"
 
 namespace gw::cpu {
 namespace {

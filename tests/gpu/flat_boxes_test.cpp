@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "gpu/ngrid.h"
+#include "gpu/ngrid/ngrid.h"
 #include "tests/gpu/both_dimensions.h"
 
 namespace gw::test {

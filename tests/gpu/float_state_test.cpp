@@ -1,4 +1,4 @@
-#include "gpu/float_state.h"
+#include "gpu/exec/float_state.h"
 
 #include <gtest/gtest.h>
 

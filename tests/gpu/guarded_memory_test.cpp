@@ -1,4 +1,4 @@
-#include "gpu/guarded_memory.h"
+#include "gpu/exec/guarded_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gpu/buffer.h"
+#include "gpu/exec/buffer.h"
 
 namespace gw {
 namespace {

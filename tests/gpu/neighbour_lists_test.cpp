@@ -1,5 +1,5 @@
 // Stored neighbour lists: what plain host code lists, byte for byte, with every exact search; and what is refused.
-#include "gpu/neighbour_lists.h"
+#include "gpu/neighbours/neighbour_lists.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,9 +10,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "gpu/brute_force.h"
-#include "gpu/ngrid.h"
-#include "gpu/row_gather.h"
+#include "gpu/neighbours/brute_force.h"
+#include "gpu/ngrid/ngrid.h"
+#include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
 #include "tests/gpu/refusal.h"
 #include "tests/naive/gpu_oracles.h"

@@ -1,5 +1,5 @@
 // N-dimensions: chosen for exact gathers, for windows, and found by the thesis's way; and what is refused.
-#include "gpu/ngrid_dimensions.h"
+#include "gpu/ngrid/ngrid_dimensions.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "gpu/ngrid.h"
+#include "gpu/ngrid/ngrid.h"
 #include "tests/gpu/both_dimensions.h"
 #include "tests/gpu/refusal.h"
 #include "tests/naive/ngrid_oracles.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "gpu/ngrid.h"
-#include "gpu/row_gather.h"
+#include "gpu/ngrid/ngrid.h"
+#include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
 #include "tests/naive/gpu_oracles.h"
 #include "tests/naive/ngrid_oracles.h"

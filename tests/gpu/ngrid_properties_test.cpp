@@ -1,10 +1,10 @@
-// The NGrid's properties 1 to 8 (thesis, chapter 4; gpu/ngrid.h), one test each, in two and three dimensions.
+// The NGrid's properties 1 to 8 (thesis, chapter 4; gpu/ngrid/ngrid.h), one test each, in two and three dimensions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/ngrid.h"
+#include "gpu/ngrid/ngrid.h"
 #include "tests/gpu/both_dimensions.h"
 #include "tests/naive/gpu_oracles.h"
 #include "tests/naive/ngrid_oracles.h"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "gpu/neighbour.h"
-#include "gpu/ngrid.h"
-#include "gpu/row_gather.h"
+#include "gpu/neighbours/neighbour.h"
+#include "gpu/ngrid/ngrid.h"
+#include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
 #include "tests/gpu/refusal.h"
 #include "tests/naive/ngrid_oracles.h"

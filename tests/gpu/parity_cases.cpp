@@ -76,8 +76,8 @@ std::vector<float> firsts(const std::vector<Float2>& pairs) {
 // is at +infinity.
 Words lineSorts(const Probes& device, const ExecOptions& options) {
   Words words;
-  for (uint32_t length : {1u,    2u,    3u,    4u,    5u,    127u,  128u,  129u,  511u,  512u,  513u,
-                          1000u, 1024u, 1025u, 2047u, 2048u, 2049u, 3000u, 4095u, 4096u}) {
+  for (uint32_t length : {1u,   2u,    3u,    4u,    5u,    127u,  128u,  129u,  511u,  512u,
+                          513u, 1000u, 1024u, 1025u, 2047u, 2048u, 2049u, 3000u, 4095u, 4096u}) {
     for (Layout layout : {Layout::uniform, Layout::coincident, Layout::zeros, Layout::line}) {
       auto line = makeCells({layout, {length, 1}, 20, length});
       for (uint32_t i = 0; i < length; i += 7) line[i].x = std::numeric_limits<float>::infinity();

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "gpu/device_list.h"
+#include "gpu/devices/device_list.h"
 
 namespace gw::test {
 

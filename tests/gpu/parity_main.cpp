@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "gpu/kernel_count.h"
+#include "gpu/exec/kernel_count.h"
 #include "tests/asset_folder.h"
 #include "tests/gpu/parity_fixture.h"
 

@@ -1,5 +1,5 @@
 // The known answers of the authors' own library (Random123, kat_vectors), and draws to [0, 1).
-#include "gpu/philox.h"
+#include "gpu/math/philox.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Every probe on the cpu and on the cuda device, for each block size: the same words.
 #include <stdexcept>
 
-#include "gpu/kernel_count.h"
+#include "gpu/exec/kernel_count.h"
 #include "tests/gpu/parity_cases.h"
 #include "tests/gpu/parity_fixture.h"
 

@@ -1,5 +1,5 @@
-#include "gpu/state_hash.h"
-#include "gpu/tick_graph.h"
+#include "gpu/exec/tick_graph.h"
+#include "gpu/math/state_hash.h"
 #include "tests/gpu/probe_parts.h"
 
 namespace gw::GW_DEVICE {

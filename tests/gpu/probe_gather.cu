@@ -1,11 +1,11 @@
 #include <stdexcept>
 
-#include "gpu/brute_force.h"
-#include "gpu/hashed_grid.h"
-#include "gpu/neighbour_lists.h"
-#include "gpu/row_gather.h"
-#include "gpu/uniform_grid.h"
-#include "gpu/window_gather.h"
+#include "gpu/neighbours/brute_force.h"
+#include "gpu/neighbours/hashed_grid.h"
+#include "gpu/neighbours/neighbour_lists.h"
+#include "gpu/neighbours/uniform_grid.h"
+#include "gpu/ngrid/row_gather.h"
+#include "gpu/ngrid/window_gather.h"
 #include "tests/gpu/broken_gather.h"
 #include "tests/gpu/probe_parts.h"
 

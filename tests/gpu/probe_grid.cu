@@ -1,12 +1,12 @@
-#include "gpu/line_order.h"
-#include "gpu/ngrid.h"
-#include "gpu/ngrid_lines.h"
+#include "gpu/ngrid/detail/line_order.h"
+#include "gpu/ngrid/detail/ngrid_lines.h"
+#include "gpu/ngrid/ngrid.h"
 #include "tests/gpu/probe_parts.h"
 
 #if GW_ON_CUDA
-#include "gpu/block_lines.h"
+#include "gpu/ngrid/detail/block_lines.h"
 #else
-#include "gpu/line_sort.h"
+#include "gpu/ngrid/detail/line_sort.h"
 #endif
 
 namespace gw::GW_DEVICE {

@@ -1,7 +1,7 @@
-#include "gpu/exact_math.h"
-#include "gpu/fixed_sum.h"
-#include "gpu/philox.h"
-#include "gpu/state_hash.h"
+#include "gpu/math/exact_math.h"
+#include "gpu/math/fixed_sum.h"
+#include "gpu/math/philox.h"
+#include "gpu/math/state_hash.h"
 #include "tests/gpu/probe_parts.h"
 
 namespace gw::GW_DEVICE {

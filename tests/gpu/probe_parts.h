@@ -1,7 +1,7 @@
 // How the probes' kernel files make up one table.
 #pragma once
 
-#include "gpu/buffer.h"
+#include "gpu/exec/buffer.h"
 #include "tests/gpu/probes.h"
 
 namespace gw::GW_DEVICE {

@@ -1,5 +1,5 @@
-#include "gpu/scan_reduce.h"
-#include "gpu/sort_keys.h"
+#include "gpu/primitives/scan_reduce.h"
+#include "gpu/primitives/sort_keys.h"
 #include "tests/gpu/probe_parts.h"
 
 namespace gw::GW_DEVICE {

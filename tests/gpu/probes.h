@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "gpu/exec_options.h"
-#include "gpu/plain_types.h"
+#include "gpu/exec/exec_options.h"
+#include "gpu/math/plain_types.h"
 
 namespace gw::test {
 

@@ -1,5 +1,5 @@
 // How many processors a process may use, on machines and in containers as they are met.
-#include "gpu/processors.h"
+#include "gpu/devices/processors.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>

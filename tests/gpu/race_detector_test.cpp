@@ -2,7 +2,7 @@
 // goes forward, and something else in another order. One thread throughout, so the result is certain.
 #include <gtest/gtest.h>
 
-#include "gpu/buffer.h"
+#include "gpu/exec/buffer.h"
 
 namespace gw::cpu {
 namespace {

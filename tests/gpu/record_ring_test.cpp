@@ -1,10 +1,10 @@
 // Records of several ticks in flight: what the host wrote for a tick is what that tick reads, and what a tick wrote is
 // what the host reads for it.
-#include "gpu/record_ring.h"
+#include "gpu/exec/record_ring.h"
 
 #include <gtest/gtest.h>
 
-#include "gpu/buffer.h"
+#include "gpu/exec/buffer.h"
 
 namespace gw::cpu {
 namespace {

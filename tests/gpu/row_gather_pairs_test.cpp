@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "gpu/brute_force.h"
-#include "gpu/row_gather.h"
+#include "gpu/neighbours/brute_force.h"
+#include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/random_cells.h"
 
 namespace gw::cpu {

@@ -1,12 +1,12 @@
 // Times per stage, and the captured sequence of launches.
-#include "gpu/stage_timer.h"
+#include "gpu/exec/stage_timer.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "gpu/state_hash.h"
-#include "gpu/tick_graph.h"
+#include "gpu/exec/tick_graph.h"
+#include "gpu/math/state_hash.h"
 #include "tests/gpu/probes.h"
 #include "tests/gpu/random_cells.h"
 

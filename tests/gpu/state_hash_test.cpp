@@ -1,4 +1,4 @@
-#include "gpu/state_hash.h"
+#include "gpu/math/state_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The baselines, uniform grid and hashed grid: exact in two and three dimensions, on any data; arranged as plain code
 // arranges them; strict about their region and their bins.
-#include "gpu/uniform_grid.h"
+#include "gpu/neighbours/uniform_grid.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,7 +10,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "gpu/hashed_grid.h"
+#include "gpu/neighbours/hashed_grid.h"
 #include "tests/gpu/gather_checker.h"
 #include "tests/naive/gpu_oracles.h"
 

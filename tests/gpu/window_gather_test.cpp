@@ -1,6 +1,6 @@
 // Windowed gathers: the cells that the definition names, the neighbours among them, each once; how much they find on a
 // well kept grid. And around() of the exact searches is their exact search.
-#include "gpu/window_gather.h"
+#include "gpu/ngrid/window_gather.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/brute_force.h"
-#include "gpu/row_gather.h"
+#include "gpu/neighbours/brute_force.h"
+#include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
 #include "tests/naive/gpu_oracles.h"
 #include "tests/naive/ngrid_oracles.h"

@@ -1,12 +1,12 @@
-#include "gpu/worker_pool.h"
+#include "gpu/exec/worker_pool.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <memory>
 
-#include "gpu/float_state.h"
-#include "gpu/processors.h"
+#include "gpu/devices/processors.h"
+#include "gpu/exec/float_state.h"
 #include "tests/gpu/float_bits.h"
 
 namespace gw {

@@ -12,6 +12,7 @@ sys.path.insert(0, str(HERE))
 
 from choice import slots  # noqa: E402
 from localise import Place, entity_fields, misplaced, places_table  # noqa: E402
+from kernel_files import path_of  # noqa: E402
 from report import BEGIN, END, localised, with_localised  # noqa: E402
 from stages import FELT_IN, STAGES, by_stage, spread, stages_of  # noqa: E402
 
@@ -115,7 +116,7 @@ class Order(unittest.TestCase):
 
     def test_says_the_reason_where_a_file_is_not_its_stage(self):
         for file, (stages, reason) in FELT_IN.items():
-            self.assertTrue((ROOT / file).is_file(), file)
+            self.assertTrue(path_of(ROOT, file).is_file(), file)
             self.assertTrue(set(stages) <= set(STAGES) and reason, file)
 
     def test_stages_are_those_of_a_tick(self):

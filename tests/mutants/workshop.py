@@ -5,7 +5,7 @@ import subprocess
 from contextlib import contextmanager
 from pathlib import Path
 
-COPIED = ("CMakeLists.txt", "cmake", "game", "gpu", "render")
+COPIED = ("CMakeLists.txt", "cmake", "game", "gpu", "host", "render")
 DECISIVE = ("cmake", "game/sim", "gpu")  # what an outcome may depend on, beside the replays: all else must verify
 OPTIONS = ("-DCMAKE_BUILD_TYPE=Release", "-DGW_CUDA=OFF", "-DGW_WINDOW=OFF", "-DGW_TESTS=OFF")
 

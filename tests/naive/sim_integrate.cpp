@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/exact_math.h"
+#include "gpu/math/exact_math.h"
 #include "tests/naive/sim_world.h"
 
 namespace gw::naive {

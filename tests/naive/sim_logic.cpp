@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/exact_math.h"
-#include "gpu/philox.h"
+#include "gpu/math/exact_math.h"
+#include "gpu/math/philox.h"
 #include "tests/naive/sim_world.h"
 
 namespace gw::naive {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/exact_math.h"
-#include "gpu/philox.h"
+#include "gpu/math/exact_math.h"
+#include "gpu/math/philox.h"
 
 namespace gw::naive {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "game/sim/particle.h"
+#include "game/sim/draw/particle.h"
 #include "tests/naive/sim_world.h"
 
 namespace gw::naive {

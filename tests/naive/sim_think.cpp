@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "game/sim/entity_flags.h"
-#include "gpu/exact_math.h"
-#include "gpu/fixed_sum.h"
-#include "gpu/philox.h"
+#include "gpu/math/exact_math.h"
+#include "gpu/math/fixed_sum.h"
+#include "gpu/math/philox.h"
 #include "tests/naive/sim_world.h"
 
 namespace gw::naive {

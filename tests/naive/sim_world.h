@@ -7,7 +7,7 @@
 
 #include "game/sim/master.h"
 #include "game/sim/simulation.h"
-#include "gpu/plain_types.h"
+#include "gpu/math/plain_types.h"
 
 namespace gw::naive {
 

@@ -81,7 +81,7 @@ def rounded(value):
 
 
 def near(a, b, radius):
-    """isNeighbour() of gpu/neighbour.h, in floats where it matters."""
+    """isNeighbour() of gpu/neighbours/neighbour.h, in floats where it matters."""
     exactly = (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 - radius * radius
     if abs(exactly) > 1e-3:
         return exactly < 0

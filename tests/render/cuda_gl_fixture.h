@@ -2,7 +2,7 @@
 // where no CUDA device answers or nothing draws.
 #pragma once
 
-#include "gpu/device_list.h"
+#include "gpu/devices/device_list.h"
 #include "tests/render/gl_fixture.h"
 
 namespace gw {

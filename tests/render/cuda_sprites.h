@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "gpu/cuda_check.h"
+#include "gpu/devices/cuda_check.h"
 #include "render/vertex_stream.h"
 
 namespace gw {

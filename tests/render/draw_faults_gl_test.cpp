@@ -2,9 +2,9 @@
 // the game goes on with the cpu device. Only where a stand-in for CUDA can be told to fail.
 #include <gtest/gtest.h>
 
-#include "game/failover.h"
+#include "game/session/failover.h"
 #include "game/tables/tables.h"
-#include "game/world_view.h"
+#include "game/view/world_view.h"
 #include "render/screenshot.h"
 #include "tests/cuda_stand_in/stand_in.h"
 #include "tests/render/cuda_gl_fixture.h"

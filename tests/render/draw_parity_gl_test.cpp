@@ -7,7 +7,7 @@
 
 #include "game/tables/tables.h"
 #include "game/ui/hud.h"
-#include "game/world_view.h"
+#include "game/view/world_view.h"
 #include "render/screenshot.h"
 #include "tests/render/cuda_gl_fixture.h"
 #include "tests/render/image_compare.h"

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "gpu/kernel_count.h"
+#include "gpu/exec/kernel_count.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

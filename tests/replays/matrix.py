@@ -71,7 +71,7 @@ def build(variant, jobs):
 
 
 # What the hashes that a build computes may depend on; a change of a screen's text does not make hours of work stale.
-DECISIVE = ("cmake", "game/input/input_record.h", "game/sim", "game/tables", "gpu")
+DECISIVE = ("cmake", "game/sim", "game/tables", "gpu", "host/platform/toml_library.cpp", "host/platform/toml_library.h")
 DIGEST = "decisive_digest"
 
 

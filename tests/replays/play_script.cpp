@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "game/commands/run_factory.h"
+#include "game/session/run_factory.h"
 #include "tests/replays/script.h"
 
 namespace {

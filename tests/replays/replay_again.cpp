@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <exception>
 
-#include "game/commands/run_factory.h"
 #include "game/replay/replay_reader.h"
+#include "game/session/run_factory.h"
 
 namespace {
 

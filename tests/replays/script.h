@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "game/input/input_record.h"
+#include "game/sim/input_record.h"
 #include "game/sim/simulation.h"
 
 namespace gw {

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "game/input/player_input.h"
-#include "game/practice.h"
+#include "game/session/practice.h"
 #include "tests/replays/events.h"
 #include "tests/replays/script.h"
 

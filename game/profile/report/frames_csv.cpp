@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "game/files/part_file.h"
+#include "host/platform/part_file.h"
 
 namespace gw::profile {
 

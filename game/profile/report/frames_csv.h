@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "game/files/growing_file.h"
-#include "game/profile/figures/frame.h"
+#include "game/profile/metrics/frame.h"
+#include "host/platform/growing_file.h"
 
 namespace gw::profile {
 

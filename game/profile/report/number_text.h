@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "game/profile/figures/statistics.h"
+#include "host/platform/statistics.h"
 
 namespace gw::profile {
 

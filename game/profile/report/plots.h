@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "game/profile/figures/report.h"
+#include "game/profile/metrics/report.h"
 
 namespace gw::profile {
 

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <system_error>
 
-#include "game/files/part_file.h"
-#include "game/processes/fed_process.h"
-#include "game/processes/file_maker.h"
-#include "game/user_error.h"
+#include "host/platform/fed_process.h"
+#include "host/platform/file_maker.h"
+#include "host/platform/part_file.h"
+#include "host/platform/user_error.h"
 
 namespace gw::profile {
 

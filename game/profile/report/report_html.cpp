@@ -5,7 +5,7 @@
 #include "game/profile/report/number_text.h"
 #include "game/profile/report/report_tables.h"
 #include "game/profile/report/summary.h"
-#include "game/profile/report/xml_text.h"
+#include "host/platform/markup_text.h"
 
 namespace gw::profile {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "game/profile/figures/report.h"
+#include "game/profile/metrics/report.h"
 #include "game/profile/report/plots.h"
 
 namespace gw::profile {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "game/profile/figures/report.h"
+#include "game/profile/metrics/report.h"
 
 namespace gw::profile {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "game/files/atomic_file.h"
 #include "game/profile/report/report_json.h"
+#include "host/platform/atomic_file.h"
 
 namespace gw::profile {
 

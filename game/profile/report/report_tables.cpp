@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "game/profile/report/number_text.h"
-#include "game/profile/report/xml_text.h"
+#include "host/platform/markup_text.h"
 
 namespace gw::profile {
 

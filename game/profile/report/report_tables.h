@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "game/profile/figures/report.h"
+#include "game/profile/metrics/report.h"
 
 namespace gw::profile {
 

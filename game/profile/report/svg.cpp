@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "game/profile/report/xml_text.h"
+#include "host/platform/markup_text.h"
 
 namespace gw::profile {
 

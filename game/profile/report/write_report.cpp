@@ -4,13 +4,13 @@
 
 #include <system_error>
 
-#include "game/files/atomic_file.h"
-#include "game/files/remedy.h"
 #include "game/profile/report/plots.h"
 #include "game/profile/report/png.h"
 #include "game/profile/report/report_html.h"
 #include "game/profile/report/report_json.h"
-#include "game/user_error.h"
+#include "host/platform/atomic_file.h"
+#include "host/platform/remedy.h"
+#include "host/platform/user_error.h"
 
 namespace gw::profile {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "game/user_error.h"
+#include "host/platform/user_error.h"
 
 namespace gw::profile {
 

@@ -13,9 +13,9 @@
 #include <system_error>
 #include <vector>
 
-#include "game/processes/fed_process.h"
 #include "game/profile/session/built_from.h"
-#include "gpu/processors.h"
+#include "gpu/devices/processors.h"
+#include "host/platform/fed_process.h"
 
 namespace gw::profile {
 namespace {

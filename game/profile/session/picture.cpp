@@ -5,8 +5,8 @@
 
 #include "game/ui/hud.h"
 #include "game/ui/title.h"
-#include "game/user_error.h"
-#include "gpu/device_list.h"
+#include "gpu/devices/device_list.h"
+#include "host/platform/user_error.h"
 #include "render/gl_context_egl.h"
 
 namespace gw::profile {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "game/world_view.h"
+#include "game/view/world_view.h"
 #include "render/gl_objects.h"
 
 namespace gw::profile {

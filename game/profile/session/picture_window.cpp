@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "game/profile/session/picture.h"
-#include "game/user_error.h"
-#include "game/window_display.h"
+#include "host/platform/user_error.h"
+#include "host/platform/window_display.h"
 #include "render/gl_context_sdl.h"
 
 namespace gw::profile {

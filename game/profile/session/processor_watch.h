@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "game/profile/figures/report.h"
+#include "game/profile/metrics/report.h"
 #include "game/profile/session/clocks.h"
-#include "gpu/processors.h"
+#include "gpu/devices/processors.h"
 
 namespace gw::profile {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <iterator>
 
-#include "game/input/input_record.h"
+#include "game/sim/input_record.h"
 
 namespace gw::profile {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <deque>
 
-#include "game/tick_pacer.h"
+#include "game/session/tick_pacer.h"
 
 namespace gw::profile {
 namespace {

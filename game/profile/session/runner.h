@@ -4,7 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "game/profile/figures/frame.h"
+#include "game/profile/metrics/frame.h"
 #include "game/profile/session/contender_choice.h"
 #include "game/profile/session/picture.h"
 #include "game/profile/session/scene.h"

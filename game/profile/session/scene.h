@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "game/profile/session/scene_kind.h"
+#include "game/cli/scene_kind.h"
 #include "game/replay/replay.h"
 
 namespace gw::profile {

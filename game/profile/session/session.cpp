@@ -7,10 +7,10 @@
 #include <cmath>
 #include <utility>
 
-#include "game/profile/figures/contender_figures.h"
-#include "game/ui/format.h"
+#include "game/profile/metrics/contender_figures.h"
 #include "game/ui/mode_choice.h"
-#include "game/user_error.h"
+#include "host/platform/number_format.h"
+#include "host/platform/user_error.h"
 
 namespace gw::profile {
 namespace {

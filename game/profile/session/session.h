@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "game/profile/figures/report.h"
+#include "game/profile/metrics/report.h"
 #include "game/profile/session/machine.h"
 #include "game/profile/session/processor_watch.h"
 #include "game/profile/session/runner.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "game/profile/figures/frame.h"
+#include "game/profile/metrics/frame.h"
 
 namespace gw::profile {
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "game/sim/inspection.h"
+#include "game/sim/debug/inspection.h"
 
 namespace gw::test {
 

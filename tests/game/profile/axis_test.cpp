@@ -9,7 +9,7 @@
 
 #include "game/profile/report/number_text.h"
 #include "game/profile/report/svg.h"
-#include "game/profile/report/xml_text.h"
+#include "host/platform/markup_text.h"
 
 namespace gw::profile::test {
 namespace {

@@ -1,5 +1,5 @@
 // Two sessions: what is slower, what is noise, and what says nothing.
-#include "game/profile/figures/baseline.h"
+#include "game/profile/metrics/baseline.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "game/profile/figures/statistics.h"
+#include "host/platform/statistics.h"
 #include "tests/game/profile/noise.h"
 
 namespace gw::profile::test {

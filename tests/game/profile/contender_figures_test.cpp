@@ -1,5 +1,5 @@
 // From runs to what the report says of a contender.
-#include "game/profile/figures/contender_figures.h"
+#include "game/profile/metrics/contender_figures.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -11,7 +11,7 @@
 #include <csignal>
 #include <sstream>
 
-#include "game/files/atomic_file.h"
+#include "host/platform/atomic_file.h"
 #include "tests/game/profile/scratch_folder.h"
 
 namespace gw::profile::test {

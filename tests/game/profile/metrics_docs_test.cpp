@@ -5,7 +5,7 @@
 #include <fstream>
 #include <set>
 
-#include "game/profile/figures/metrics.h"
+#include "game/profile/metrics/metrics.h"
 
 namespace gw::profile {
 namespace {

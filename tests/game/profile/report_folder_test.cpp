@@ -6,12 +6,12 @@
 
 #include <csignal>
 
-#include "game/files/atomic_file.h"
 #include "game/profile/report/plots.h"
 #include "game/profile/report/png.h"
 #include "game/profile/report/report_json.h"
 #include "game/profile/report/write_report.h"
-#include "game/user_error.h"
+#include "host/platform/atomic_file.h"
+#include "host/platform/user_error.h"
 #include "tests/game/profile/sample_report.h"
 #include "tests/game/profile/scratch_folder.h"
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "game/files/atomic_file.h"
+#include "host/platform/atomic_file.h"
 #include "tests/game/profile/sample_report.h"
 #include "tests/game/profile/scratch_folder.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "game/profile/figures/metrics.h"
+#include "game/profile/metrics/metrics.h"
 #include "tests/game/profile/noise.h"
 
 namespace gw::profile::test {

@@ -1,7 +1,7 @@
 // Reports that nobody measured, for tests of what is made from them.
 #pragma once
 
-#include "game/profile/figures/report.h"
+#include "game/profile/metrics/report.h"
 
 namespace gw::profile::test {
 

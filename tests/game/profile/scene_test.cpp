@@ -8,8 +8,8 @@
 #include "game/profile/session/contender_choice.h"
 #include "game/profile/session/refill.h"
 #include "game/profile/session/runner.h"
-#include "game/tick_pacer.h"
-#include "game/user_error.h"
+#include "game/session/tick_pacer.h"
+#include "host/platform/user_error.h"
 
 namespace gw::profile {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "game/user_error.h"
+#include "host/platform/user_error.h"
 
 namespace gw::profile {
 namespace {

@@ -1,5 +1,5 @@
 // Figures of a series, by hand and against definitions that count instead of sorting.
-#include "game/profile/figures/statistics.h"
+#include "host/platform/statistics.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -3,11 +3,11 @@
 #include <optional>
 
 // Everything that collide.cu includes, so that the renaming below meets its own text alone.
+#include "game/sim/contact/overlap.h"
+#include "game/sim/contact/sweep.h"
 #include "game/sim/entity_flags.h"
-#include "game/sim/overlap.h"
 #include "game/sim/stages.h"
-#include "game/sim/sweep.h"
-#include "gpu/fixed_sum.h"
+#include "gpu/math/fixed_sum.h"
 
 namespace gw::cpu {
 namespace {

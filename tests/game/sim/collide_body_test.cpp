@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "game/sim/overlap.h"
+#include "game/sim/contact/overlap.h"
 #include "tests/game/sim/random_values.h"
 #include "tests/game/sim/scenes.h"
 #include "tests/game/sim/stage_fixture.h"

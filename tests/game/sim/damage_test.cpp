@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "game/sim/inspection.h"
+#include "game/sim/debug/inspection.h"
 #include "tests/game/sim/game_runs.h"
 
 namespace gw::test {

@@ -1,5 +1,5 @@
 // The draw list: what is in view, danger on top, within what the target holds.
-#include "game/sim/draw_list.h"
+#include "game/sim/draw/draw_list.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstring>
 #include <set>
 
-#include "game/sim/row_colour.h"
+#include "game/sim/draw/row_colour.h"
 #include "tests/game/sim/scenes.h"
 #include "tests/game/sim/stage_fixture.h"
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "gpu/ngrid.h"
+#include "gpu/ngrid/ngrid.h"
 #include "tests/game/sim/game_runs.h"
 
 namespace gw::test {

@@ -1,12 +1,12 @@
 // Particles: what is thrown, the ring, and that the game does not feel them.
-#include "game/sim/particles.h"
+#include "game/sim/draw/particles.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 
-#include "game/sim/particle_list.h"
+#include "game/sim/draw/particle_list.h"
 #include "tests/game/sim/game_runs.h"
 #include "tests/naive/sim_particles.h"
 

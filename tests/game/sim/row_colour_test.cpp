@@ -1,5 +1,5 @@
 // Colours of rows: neighbours differ so far that nobody takes one for the other.
-#include "game/sim/row_colour.h"
+#include "game/sim/draw/row_colour.h"
 
 #include <gtest/gtest.h>
 

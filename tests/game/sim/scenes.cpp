@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "game/sim/behaviour/state_tables.h"
 #include "game/sim/entity_flags.h"
-#include "game/sim/state_tables.h"
-#include "gpu/exact_math.h"
+#include "gpu/math/exact_math.h"
 
 namespace gw::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "game/sim/spawn_patterns.h"
+#include "game/sim/behaviour/spawn_patterns.h"
 #include "tests/game/sim/random_values.h"
 #include "tests/game/sim/scenes.h"
 #include "tests/game/sim/stage_fixture.h"

@@ -1,13 +1,13 @@
 // A bullet never passes through an enemy, at any speed: the sweep against small steps in double precision,
 // alone and inside the whole stage.
-#include "game/sim/sweep.h"
+#include "game/sim/contact/sweep.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "gpu/exact_math.h"
+#include "gpu/math/exact_math.h"
 #include "tests/game/sim/random_values.h"
 #include "tests/game/sim/scenes.h"
 #include "tests/game/sim/stage_fixture.h"

@@ -1,7 +1,7 @@
 // The machines' tables, edge by edge, against RULES.md read a second time (tests/naive/sim_think.cpp).
 #include <gtest/gtest.h>
 
-#include "game/sim/behaviour.h"
+#include "game/sim/behaviour/behaviour.h"
 #include "tests/game/sim/scenes.h"
 #include "tests/game/sim/stage_fixture.h"
 

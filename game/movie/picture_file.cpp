@@ -1,9 +1,0 @@
-#include "game/movie/picture_file.h"
-
-namespace gw {
-
-void writePicture(const std::filesystem::path& path, const Image& image, Sync sync) {
-  writeFileAtomically(path, encodePng(image), sync);
-}
-
-}  // namespace gw

@@ -1,0 +1,199 @@
+#include "game/view/world_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "game/ui/hud.h"
+#include "game/ui/overlay.h"
+#include "game/ui/theme.h"
+#include "game/view/gl_canvas.h"
+#include "host/platform/user_error.h"
+#ifdef GW_HAVE_CUDA
+#include "render/cuda_interop.h"
+#endif
+
+namespace gw {
+
+namespace {
+
+constexpr uint32_t kSpareSprites = 64;  // the ship and what else is no entity
+constexpr float kBlastShown_ticks = 24;
+constexpr float kEdge_m = 3;  // sprites reach into view from outside, and move between ticks
+
+// whyCopied: why frames of a CUDA device go through the host, when they do.
+template <class Vertex>
+std::unique_ptr<Stream<Vertex>> makeStream(uint32_t capacity, [[maybe_unused]] bool cuda,
+                                           [[maybe_unused]] std::string& whyCopied) {
+#ifdef GW_HAVE_CUDA
+  if (cuda) {
+    CudaStream<Vertex> made = makeCudaStream<Vertex>(capacity);
+    whyCopied = std::move(made.why);
+    return std::move(made.stream);
+  }
+#endif
+  return std::make_unique<MappedStream<Vertex>>(capacity);
+}
+
+DrawView withEdge(const Camera& camera, Colouring colouring) {
+  return {camera.centre_x, camera.centre_y, camera.halfWidth_m + kEdge_m, camera.halfHeight_m + kEdge_m, colouring};
+}
+
+Moment momentOf(const Run& run, const WorldFrame& frame) {
+  return {run.last().tick, frame.alpha + frame.afterEnd_ticks};
+}
+
+// Passes read shaders and fonts: what goes wrong there is a bad file.
+template <class Pass>
+Pass loaded(const std::filesystem::path& assets) {
+  try {
+    return Pass(assets);
+  } catch (const std::runtime_error& error) {
+    throw UserError(ExitCode::badFile, error.what());
+  }
+}
+
+}  // namespace
+
+WorldView::WorldView(const std::filesystem::path& assets, uint32_t capacity)
+    : capacity_(capacity + kSpareSprites),
+      grid_(loaded<GridPass>(assets)),
+      particles_(loaded<ParticlePass>(assets)),
+      sprites_(loaded<SpritePass>(assets)),
+      rings_(loaded<RingPass>(assets)),
+      quads_(loaded<QuadPass>(assets)),
+      text_(loaded<TextPass>(assets)) {}
+
+void WorldView::makeStreams(bool cuda) {
+  std::string whyCopied;
+  auto sprites = makeStream<SpriteVertex>(capacity_, cuda, whyCopied);
+  auto particles = makeStream<ParticleVertex>(cuda ? kParticlesDrawn : kParticlesDrawnWithoutGpu, cuda, whyCopied);
+  stream_ = std::move(sprites);
+  particleStream_ = std::move(particles);
+  streamsOnCuda_ = cuda;
+  if (whyCopied.empty() || toldOfCopies_) return;
+  toldOfCopies_ = true;
+  std::fprintf(stderr, "Every frame is copied through the host, because %s: \"gpuwars devices\" lists what can draw.\n",
+               whyCopied.c_str());
+}
+
+WorldView::Filled WorldView::fillStreams(Simulation& simulation, const DrawView& view, const WorldFrame& frame) {
+  if (!stream_ || simulation.onCuda() != streamsOnCuda_) makeStreams(simulation.onCuda());
+  Filled filled;
+  filled.sprites = stream_->begin();
+  simulation.drawList(view, {filled.sprites.vertices, filled.sprites.capacity, filled.sprites.command});
+  stream_->written();
+  filled.particles = particleStream_->begin();
+  if (frame.effects.particles) {
+    simulation.particleList(view, frame.alpha + frame.afterEnd_ticks,
+                            {filled.particles.vertices, filled.particles.capacity, filled.particles.command});
+  }
+  particleStream_->written();
+  return filled;
+}
+
+WorldView::Filled WorldView::fill(Simulation& simulation, const DrawView& view, const WorldFrame& frame) {
+  try {
+    return fillStreams(simulation, view, frame);
+  } catch (const DeviceError& error) {
+    simulation.dropDevice(error.what());
+    stream_.reset();  // whatever it was in the midst of
+    return fillStreams(simulation, view, frame);
+  }
+}
+
+void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame,
+                     const Screens& screens) {
+  Simulation& simulation = run.simulation();
+  const TickReport& report = run.last();
+  Camera view = camera.view();  // a copy: the mouse aims by the one that does not shake
+  const Shake::Offset shake = run.effects().shake().at(momentOf(run, frame), frame.effects.shake);
+  view.centre_x += shake.x;
+  view.centre_y += shake.y;
+
+  const auto [region, particles] = fill(simulation, withEdge(view, frame.colouring), frame);
+  simulation.park();
+
+  drawBackground(run, rules, view, frame);
+  if (frame.effects.particles) particles_.draw(particles, {view, frame.target, frame.brightness});
+  particleStream_->end();
+  drawEffects(run, view, frame);
+  SpriteFrame sprites;
+  sprites.camera = view;
+  sprites.target = frame.target;
+  sprites.alpha = frame.alpha;
+  sprites.tick = float(report.tick) + frame.alpha;
+  sprites.brightness = frame.brightness;
+  sprites.glow = frame.effects.glow;
+  sprites.flashes = frame.effects.flash > 0;
+  sprites_.draw(region, sprites);
+  drawRings(run, rules, view, frame);
+  stream_->end();
+
+  GlCanvas canvas(quads_, text_, frame.target);
+  screens(canvas);
+  canvas.nextLayer();
+}
+
+void WorldView::drawBackground(Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame) {
+  const TickReport& report = run.last();
+  const float lost = 1 - budgetLeft(report.frameTime_us, rules.budget);
+  std::vector<GridBend> bends;
+  if (frame.effects.gridBending) bends = run.effects().gridBends().at(momentOf(run, frame));
+  GridFrame grid;
+  grid.camera = camera;
+  grid.worldWidth_m = run.simulation().worldWidth_m();
+  grid.worldHeight_m = run.simulation().worldHeight_m();
+  grid.target = frame.target;
+  grid.time_s = (float(report.tick) + frame.alpha) * kTick_s;
+  grid.unrest = lost * lost;
+  grid.brightness = frame.brightness;
+  grid.bends = bends;
+  grid_.draw(grid);
+}
+
+// What lies between the background and everything that lives, beside the particles.
+void WorldView::drawEffects(const Run& run, const Camera& camera, const WorldFrame& frame) {
+  GlCanvas canvas(quads_, text_, frame.target);
+  drawFlash(canvas, run.effects().flash().at(momentOf(run, frame), frame.effects.flash));
+  if (frame.effects.scorePops) {
+    drawScorePops(canvas, run.effects().scorePops().at(momentOf(run, frame)), camera, frame.brightness);
+  }
+  canvas.nextLayer();
+}
+
+void WorldView::drawRings(const Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame) {
+  const TickReport& report = run.last();
+  if (report.flushRadius_m > 0) {
+    const float share = std::clamp(report.flushRadius_m / std::max(rules.flush.reach_m, 1.0f), 0.0f, 1.0f);
+    Ring ring;
+    ring.x = report.flush_x;
+    ring.y = report.flush_y;
+    ring.radius_m = report.flushRadius_m + rules.flush.speed_mps * kTick_s * (frame.alpha - 1);
+    ring.inside_m = 5;
+    ring.outside_m = 0.6f;
+    ring.colour = theme::faded(theme::kAccent, (1 - 0.6f * share) * frame.brightness);
+    if (ring.radius_m > 0.1f) rings_.draw(ring, camera, frame.target);
+  }
+  const RunMonitor::Contact& contact = run.monitor().lastContact();
+  const float age = float(report.tick - contact.tick) + frame.alpha;
+  if (contact.type != kTypeNone && age < kBlastShown_ticks) {
+    const float share = age / kBlastShown_ticks;
+    Ring ring;
+    ring.x = report.shipPrevious_x + (report.ship_x - report.shipPrevious_x) * frame.alpha;
+    ring.y = report.shipPrevious_y + (report.ship_y - report.shipPrevious_y) * frame.alpha;
+    ring.radius_m = rules.ship.blast_m * std::sqrt(share) + 0.3f;
+    ring.inside_m = 1.5f + 2 * (1 - share);
+    ring.outside_m = 0.8f;
+    ring.colour = theme::faded(theme::kDanger, (1 - share) * frame.brightness);
+    rings_.draw(ring, camera, frame.target);
+  }
+}
+
+FollowCamera::Target cameraTarget(const TickReport& report, float alpha) {
+  return {report.shipPrevious_x + (report.ship_x - report.shipPrevious_x) * alpha,
+          report.shipPrevious_y + (report.ship_y - report.shipPrevious_y) * alpha, report.aim_rad,
+          report.enemiesInView};
+}
+
+}  // namespace gw

@@ -1,0 +1,14 @@
+// Numbers as people read them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace gw {
+
+std::string withCommas(uint64_t number);  // 1234567 -> 1,234,567
+std::string oneDecimal(double number);    // 58.34 -> 58.3
+std::string twoDecimals(double number);   // 1.234 -> 1.23
+std::string upperCase(std::string text);  // ASCII
+
+}  // namespace gw
