@@ -1,6 +1,6 @@
-# The sanitised builds compile a library's files together (CMAKE_UNITY_BUILD); so does the
-# stand-in for CUDA with its kernels. Files that use a name which another file of their library uses too, each for itself, or
-# that define macros for a library's header, are compiled apart there. Every other build compiles each file by itself.
+# The sanitised builds compile a library's files together (CMAKE_UNITY_BUILD); so does the stand-in for CUDA with
+# its kernels. Files that use a name which another file of their library uses too, each for itself, or that define macros
+# for a library's header, are compiled apart there. Every other build compiles each file by itself.
 function(gw_compiled_apart target) # file.cpp...
   if(TARGET ${target})
     get_target_property(folder ${target} SOURCE_DIR)

@@ -72,7 +72,7 @@ if(gw_missing_packages)
   message(FATAL_ERROR "Libraries are missing: install the packages ${gw_missing_packages} (Debian's names) and configure again.")
 endif()
 
-# As a library of the system: its header-only form takes three seconds more of every file that formats. What is to run
+# As a library of the system: its header-only form takes two to three seconds more of a file that formats. What is to run
 # without that library compiles it in.
 if(GW_GAME)
   add_library(gw_fmt INTERFACE)

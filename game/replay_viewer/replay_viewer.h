@@ -17,7 +17,7 @@ namespace gw {
 
 class ReplayViewer {
  public:
-  // No spark lives longer (game/sim/draw/particles.cu). They are no state, so whoever is sent to a tick begins so much
+  // No spark lives longer (game/sim/draw/particles.cu). They are no state, so a jump to a tick begins so much
   // before it, or as much as Moments::start() allows.
   static constexpr uint32_t kSparks_ticks = 60;
 
