@@ -1,6 +1,6 @@
 // sin, cos, atan2 and exp with the same bits on every device and compiler: only + - * / and sqrtf, in a
 // fixed order, nothing contracted. Minimax polynomials as published in Cephes (Moshier), Cody-Waite range
-// reduction in three parts. Largest errors against double precision, measured by tests/gpu/exact_math_test:
+// reduction in three parts. Largest errors against double precision, measured by tests/gpu/math/exact_math_test:
 //
 //   sine, cosine   |x| <= 8192 rad      absolute error below 8e-8 (argument rounded beyond)
 //   arcTangent2    all finite pairs     absolute error below 3e-7 rad

@@ -15,7 +15,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(sys.argv.pop(1)).resolve()
-NEEDED = ("tests/distributions", "tests/distribution", "tests/golden_replays.py", "tests/replays", "tests/gates",
+NEEDED = ("tests/distributions", "tests/distribution", "tests/replays", "tests/gates",
           "replays/golden.list", "replays/golden.facts")
 # Neither needs namespaces: the command runs as it is, and of what would be mounted only empty folders matter.
 UNSHARE = """#!/bin/sh

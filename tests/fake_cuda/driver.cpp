@@ -14,7 +14,7 @@ namespace {
 constexpr unsigned char kNeverWritten = 0xA5, kLost = 0xDB;
 
 [[noreturn]] void refuseOption(const std::string& option) {
-  std::fprintf(stderr, "GW_CUDA_STAND_IN: '%s' is not known; tests/cuda_stand_in/stand_in.h lists what is.\n",
+  std::fprintf(stderr, "GW_CUDA_STAND_IN: '%s' is not known; tests/fake_cuda/stand_in.h lists what is.\n",
                option.c_str());
   std::exit(2);
 }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/gpu/gather_checker.h"
+#include "tests/gpu/neighbours/gather_checker.h"
 
 namespace gw::test {
 

@@ -1,4 +1,4 @@
-#include "tests/naive/gpu_oracles.h"
+#include "tests/reference/gpu_oracles.h"
 
 #include <algorithm>
 #include <bit>

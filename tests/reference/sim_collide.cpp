@@ -3,7 +3,7 @@
 #include <map>
 
 #include "game/sim/entity_flags.h"
-#include "tests/naive/sim_world.h"
+#include "tests/reference/sim_world.h"
 
 namespace gw::naive {
 namespace {

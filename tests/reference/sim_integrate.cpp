@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "gpu/math/exact_math.h"
-#include "tests/naive/sim_world.h"
+#include "tests/reference/sim_world.h"
 
 namespace gw::naive {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/naive/sim_particles.h"
+#include "tests/reference/sim_particles.h"
 
 #include <algorithm>
 #include <cmath>

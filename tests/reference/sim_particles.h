@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "game/sim/draw/particle.h"
-#include "tests/naive/sim_world.h"
+#include "tests/reference/sim_world.h"
 
 namespace gw::naive {
 

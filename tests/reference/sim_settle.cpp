@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "game/sim/entity_flags.h"
-#include "tests/naive/sim_world.h"
+#include "tests/reference/sim_world.h"
 
 namespace gw::naive {
 

@@ -4,7 +4,7 @@
 #include "gpu/math/exact_math.h"
 #include "gpu/math/fixed_sum.h"
 #include "gpu/math/philox.h"
-#include "tests/naive/sim_world.h"
+#include "tests/reference/sim_world.h"
 
 namespace gw::naive {
 namespace {

@@ -5,7 +5,7 @@
 #include "render/cuda_interop.h"
 #include "render/screenshot.h"
 #include "render/sprite_pass.h"
-#include "tests/cuda_stand_in/stand_in.h"
+#include "tests/fake_cuda/stand_in.h"
 #include "tests/render/cuda_gl_fixture.h"
 #include "tests/render/cuda_sprites.h"
 #include "tests/render/sprite_scene.h"

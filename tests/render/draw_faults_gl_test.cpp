@@ -6,7 +6,7 @@
 #include "game/tables/tables.h"
 #include "game/view/world_view.h"
 #include "render/screenshot.h"
-#include "tests/cuda_stand_in/stand_in.h"
+#include "tests/fake_cuda/stand_in.h"
 #include "tests/render/cuda_gl_fixture.h"
 
 namespace gw {

@@ -15,7 +15,7 @@
 namespace gw {
 
 inline const std::filesystem::path kAssets = findAssets(std::filesystem::path(GW_SOURCE_DIR) / "assets");
-inline const std::filesystem::path kGoldenImages = std::filesystem::path(GW_SOURCE_DIR) / "tests/golden_images";
+inline const std::filesystem::path kGoldenImages = std::filesystem::path(GW_SOURCE_DIR) / "tests/render/golden_images";
 
 class GlTest : public testing::Test {
  protected:

@@ -1,4 +1,4 @@
-// Fixed scenes against the pictures in tests/golden_images. To renew them after an intended change: run this
+// Fixed scenes against the pictures in tests/render/golden_images. To renew them after an intended change: run this
 // test with GW_UPDATE_GOLDEN_IMAGES=1, look at the pictures, commit them with the reason.
 #include <algorithm>
 

@@ -57,7 +57,7 @@ void writePng(const std::filesystem::path& path, const Image& image) {
 }
 
 std::string compareWithGolden(const Image& image, const std::string& name) {
-  const std::filesystem::path golden = std::filesystem::path(GW_SOURCE_DIR) / "tests/golden_images" / name;
+  const std::filesystem::path golden = std::filesystem::path(GW_SOURCE_DIR) / "tests/render/golden_images" / name;
   if (std::getenv("GW_UPDATE_GOLDEN_IMAGES") != nullptr) {
     writePng(golden, image);
     return "";

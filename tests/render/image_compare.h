@@ -1,4 +1,4 @@
-// Comparing pictures with a tolerance, and golden pictures kept in tests/golden_images.
+// Comparing pictures with a tolerance, and golden pictures kept in tests/render/golden_images.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,7 @@ Image readPng(const std::filesystem::path& path);
 // The same picture moved to the right; the left edge is repeated.
 Image shiftedImage(const Image& image, int right_px);
 
-// Empty when the picture agrees with tests/golden_images/name; else says by how much it differs and where the
+// Empty when the picture agrees with tests/render/golden_images/name; else says by how much it differs and where the
 // picture was left for a look. With GW_UPDATE_GOLDEN_IMAGES set it writes the golden picture instead.
 std::string compareWithGolden(const Image& image, const std::string& name);
 

@@ -55,7 +55,7 @@ class AddReplay(unittest.TestCase):
         self.assertEqual(contents(self.folder), before)
 
     def golden(self):
-        return run(sys.executable, TESTS / "golden_replays.py", GPUWARS, "--replays", self.folder, "-j", 1)
+        return run(sys.executable, TESTS / "replays/golden_replays.py", GPUWARS, "--replays", self.folder, "-j", 1)
 
     def update(self):
         return run(TESTS / "update_replays", "--gpuwars", GPUWARS, "--replays", self.folder)

@@ -12,9 +12,8 @@ import os
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent / "replays"))
-from expectation import Expectation  # noqa: E402
-from golden_suite import (KEPT, MOST_BYTES, ROOT, golden_list, look_closer, read_facts, shortcomings,  # noqa: E402
+from expectation import Expectation
+from golden_suite import (KEPT, MOST_BYTES, ROOT, golden_list, look_closer, read_facts, shortcomings,
                           verify)
 
 

@@ -10,8 +10,7 @@ import argparse
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent / "replays"))
-from golden_suite import ROOT, golden_list, verify  # noqa: E402
+from golden_suite import ROOT, golden_list, verify
 
 # One of each machine; `together` has ties by id and zero distances too.
 EXACT = ("hexagon_alone", "together_texels", "together_fragments")

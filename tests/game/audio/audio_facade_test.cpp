@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "game/audio/audio.h"
-#include "tests/game/audio_listener.h"
+#include "tests/game/audio/audio_listener.h"
 
 namespace gw::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "tests/game/audio_listener.h"
+#include "tests/game/audio/audio_listener.h"
 
 namespace gw::test {
 namespace {

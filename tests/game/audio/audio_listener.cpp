@@ -1,4 +1,4 @@
-#include "tests/game/audio_listener.h"
+#include "tests/game/audio/audio_listener.h"
 
 #include <AL/alext.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "game/audio/audio.h"
-#include "tests/game/audio_listener.h"
+#include "tests/game/audio/audio_listener.h"
 
 namespace gw::test {
 namespace {

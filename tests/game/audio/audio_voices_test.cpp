@@ -6,7 +6,7 @@
 #include <set>
 
 #include "game/audio/voices.h"
-#include "tests/game/audio_listener.h"
+#include "tests/game/audio/audio_listener.h"
 
 namespace gw::test {
 namespace {

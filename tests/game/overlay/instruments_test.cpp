@@ -12,7 +12,7 @@
 #include "game/tables/tables.h"
 #include "gpu/devices/device_error.h"
 #include "host/overlay/frame_history.h"
-#include "tests/game/remembering_canvas.h"
+#include "tests/game/ui/remembering_canvas.h"
 
 namespace gw {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/game/replay_allocation_watch.h"
+#include "tests/game/replay/replay_allocation_watch.h"
 
 #include <malloc.h>
 

@@ -8,8 +8,8 @@
 #include "game/replay/deflate.h"
 #include "game/replay/replay_reader.h"
 #include "game/replay/replay_writer.h"
-#include "tests/game/replay_allocation_watch.h"
-#include "tests/game/replay_samples.h"
+#include "tests/game/replay/replay_allocation_watch.h"
+#include "tests/game/replay/replay_samples.h"
 
 namespace gw::test {
 namespace {

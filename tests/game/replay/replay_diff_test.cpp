@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "tests/game/replay_samples.h"
+#include "tests/game/replay/replay_samples.h"
 
 namespace gw::test {
 namespace {

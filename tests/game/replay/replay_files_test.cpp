@@ -10,7 +10,7 @@
 
 #include "game/replay/replay_reader.h"
 #include "game/replay/replay_writer.h"
-#include "tests/game/replay_samples.h"
+#include "tests/game/replay/replay_samples.h"
 
 namespace gw::test {
 namespace {

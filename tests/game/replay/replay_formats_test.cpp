@@ -22,7 +22,7 @@ class ReplayFormats : public ::testing::TestWithParam<Kept> {};
 
 TEST_P(ReplayFormats, StayReadable) {
   const Kept& kept = GetParam();
-  const std::filesystem::path path = std::filesystem::path(GW_TEST_DATA_DIR) / "replays" / kept.name;
+  const std::filesystem::path path = std::filesystem::path(GW_FORMATS_DIR) / kept.name;
   std::ifstream file(path, std::ios::binary);
   std::vector<uint8_t> start(16);
   file.read(reinterpret_cast<char*>(start.data()), 16);

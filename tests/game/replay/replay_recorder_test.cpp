@@ -14,8 +14,8 @@
 #include "game/replay/recorder.h"
 #include "game/replay/replay_reader.h"
 #include "host/platform/part_file.h"
-#include "tests/game/replay_allocation_watch.h"
-#include "tests/game/replay_samples.h"
+#include "tests/game/replay/replay_allocation_watch.h"
+#include "tests/game/replay/replay_samples.h"
 
 namespace gw::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/game/replay_samples.h"
+#include "tests/game/replay/replay_samples.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -6,8 +6,8 @@
 #include "game/replay_viewer/time_bar.h"
 #include "game/replay_viewer/viewer_help.h"
 #include "game/ui/key_hints.h"
-#include "remembering_canvas.h"
 #include "render/text_font.h"
+#include "tests/game/ui/remembering_canvas.h"
 
 namespace gw::test {
 namespace {

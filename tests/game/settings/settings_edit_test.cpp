@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "tests/game/settings_samples.h"
+#include "tests/game/settings/settings_samples.h"
 
 namespace gw::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/game/settings_samples.h"
+#include "tests/game/settings/settings_samples.h"
 
 namespace gw::test {
 namespace {

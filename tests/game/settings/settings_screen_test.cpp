@@ -5,8 +5,8 @@
 
 #include "game/settings/settings_fields.h"
 #include "game/ui/key_hints.h"
-#include "tests/game/remembering_canvas.h"
-#include "tests/game/settings_samples.h"
+#include "tests/game/settings/settings_samples.h"
+#include "tests/game/ui/remembering_canvas.h"
 
 namespace gw::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "game/settings/settings_fields.h"
 #include "host/input/control_names.h"
-#include "tests/game/settings_samples.h"
+#include "tests/game/settings/settings_samples.h"
 
 namespace gw::test {
 namespace {

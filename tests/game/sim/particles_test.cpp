@@ -8,7 +8,7 @@
 
 #include "game/sim/draw/particle_list.h"
 #include "tests/game/sim/game_runs.h"
-#include "tests/naive/sim_particles.h"
+#include "tests/reference/sim_particles.h"
 
 namespace gw::test {
 namespace {

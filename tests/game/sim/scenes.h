@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "tests/naive/sim_world.h"
+#include "tests/reference/sim_world.h"
 
 namespace gw::test {
 

@@ -12,7 +12,7 @@
 
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
-#include "tests/naive/sim_world.h"
+#include "tests/reference/sim_world.h"
 
 namespace gw::test {
 

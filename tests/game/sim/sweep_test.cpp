@@ -11,7 +11,7 @@
 #include "tests/game/sim/random_values.h"
 #include "tests/game/sim/scenes.h"
 #include "tests/game/sim/stage_fixture.h"
-#include "tests/naive/sim_gap.h"
+#include "tests/reference/sim_gap.h"
 
 namespace gw::test {
 namespace {

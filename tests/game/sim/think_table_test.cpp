@@ -1,4 +1,4 @@
-// The machines' tables, edge by edge, against RULES.md read a second time (tests/naive/sim_think.cpp).
+// The machines' tables, edge by edge, against RULES.md read a second time (tests/reference/sim_think.cpp).
 #include <gtest/gtest.h>
 
 #include "game/sim/behaviour/behaviour.h"

@@ -10,7 +10,7 @@
 #include "game/ui/session_best.h"
 #include "game/ui/theme.h"
 #include "game/ui/title.h"
-#include "tests/game/remembering_canvas.h"
+#include "tests/game/ui/remembering_canvas.h"
 
 namespace gw {
 namespace {

@@ -12,7 +12,7 @@
 #include "game/ui/tick_text.h"
 #include "game/ui/title.h"
 #include "host/platform/number_format.h"
-#include "tests/game/remembering_canvas.h"
+#include "tests/game/ui/remembering_canvas.h"
 
 namespace gw {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "tests/arithmetic/comparison.h"
+#include "tests/gpu/arithmetic/comparison.h"
 
 namespace gw::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "gpu/exec/buffer.h"
-#include "tests/arithmetic/blocks.h"
-#include "tests/arithmetic/inputs.h"
+#include "tests/gpu/arithmetic/blocks.h"
+#include "tests/gpu/arithmetic/inputs.h"
 
 namespace gw::GW_DEVICE {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/arithmetic/comparison.h"
+#include "tests/gpu/arithmetic/comparison.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tests/arithmetic/blocks.h"
+#include "tests/gpu/arithmetic/blocks.h"
 
 namespace gw::test {
 

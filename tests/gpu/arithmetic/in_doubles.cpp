@@ -1,7 +1,7 @@
 #include <cmath>
 #include <thread>
 
-#include "tests/arithmetic/inputs.h"
+#include "tests/gpu/arithmetic/inputs.h"
 
 namespace gw::test {
 namespace {

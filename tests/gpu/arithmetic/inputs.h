@@ -4,7 +4,7 @@
 #include "gpu/math/bits.h"
 #include "gpu/math/philox.h"
 #include "gpu/math/state_hash.h"
-#include "tests/arithmetic/blocks.h"
+#include "tests/gpu/arithmetic/blocks.h"
 
 namespace gw::GW_DEVICE {
 

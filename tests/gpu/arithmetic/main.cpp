@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "bench/device_option.h"
-#include "tests/arithmetic/comparison.h"
+#include "tests/gpu/arithmetic/comparison.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <thread>
 
-#include "tests/gpu/fake_system.h"
+#include "tests/gpu/devices/fake_system.h"
 
 namespace gw {
 namespace {

@@ -5,7 +5,7 @@
 #include <cfenv>
 #include <thread>
 
-#include "tests/gpu/float_bits.h"
+#include "tests/gpu/exec/float_bits.h"
 
 namespace gw {
 namespace {

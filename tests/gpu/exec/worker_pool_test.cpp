@@ -7,7 +7,7 @@
 
 #include "gpu/devices/processors.h"
 #include "gpu/exec/float_state.h"
-#include "tests/gpu/float_bits.h"
+#include "tests/gpu/exec/float_bits.h"
 
 namespace gw {
 namespace {

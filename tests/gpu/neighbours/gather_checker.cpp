@@ -1,8 +1,8 @@
-#include "tests/gpu/gather_checker.h"
+#include "tests/gpu/neighbours/gather_checker.h"
 
 #include <sstream>
 
-#include "tests/naive/gpu_oracles.h"
+#include "tests/reference/gpu_oracles.h"
 
 namespace gw::test {
 namespace {

@@ -15,7 +15,7 @@
 #include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
 #include "tests/gpu/refusal.h"
-#include "tests/naive/gpu_oracles.h"
+#include "tests/reference/gpu_oracles.h"
 
 namespace gw::cpu {
 namespace {

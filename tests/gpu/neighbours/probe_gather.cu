@@ -6,7 +6,7 @@
 #include "gpu/neighbours/uniform_grid.h"
 #include "gpu/ngrid/row_gather.h"
 #include "gpu/ngrid/window_gather.h"
-#include "tests/gpu/broken_gather.h"
+#include "tests/gpu/neighbours/broken_gather.h"
 #include "tests/gpu/probe_parts.h"
 
 namespace gw::GW_DEVICE {

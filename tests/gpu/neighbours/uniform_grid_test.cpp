@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "gpu/neighbours/hashed_grid.h"
-#include "tests/gpu/gather_checker.h"
-#include "tests/naive/gpu_oracles.h"
+#include "tests/gpu/neighbours/gather_checker.h"
+#include "tests/reference/gpu_oracles.h"
 
 namespace gw::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "tests/gpu/random_cells.h"
-#include "tests/naive/gpu_oracles.h"
-#include "tests/naive/ngrid_oracles.h"
+#include "tests/reference/gpu_oracles.h"
+#include "tests/reference/ngrid_oracles.h"
 
 namespace gw::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "tests/gpu/both_dimensions.h"
-#include "tests/naive/gpu_oracles.h"
-#include "tests/naive/ngrid_oracles.h"
+#include "tests/reference/gpu_oracles.h"
+#include "tests/reference/ngrid_oracles.h"
 
 namespace gw::test {
 namespace {

@@ -7,8 +7,8 @@
 #include "gpu/ngrid/ngrid.h"
 #include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
-#include "tests/naive/gpu_oracles.h"
-#include "tests/naive/ngrid_oracles.h"
+#include "tests/reference/gpu_oracles.h"
+#include "tests/reference/ngrid_oracles.h"
 
 namespace gw::test {
 namespace {

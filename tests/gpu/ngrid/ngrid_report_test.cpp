@@ -10,7 +10,7 @@
 #include "gpu/ngrid/row_gather.h"
 #include "tests/gpu/both_dimensions.h"
 #include "tests/gpu/refusal.h"
-#include "tests/naive/ngrid_oracles.h"
+#include "tests/reference/ngrid_oracles.h"
 
 namespace gw::cpu {
 namespace {

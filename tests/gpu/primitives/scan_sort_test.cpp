@@ -7,7 +7,7 @@
 
 #include "tests/gpu/probes.h"
 #include "tests/gpu/random_cells.h"
-#include "tests/naive/gpu_oracles.h"
+#include "tests/reference/gpu_oracles.h"
 
 namespace gw::test {
 namespace {

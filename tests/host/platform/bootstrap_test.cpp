@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "host/platform/statistics.h"
-#include "tests/game/profile/noise.h"
+#include "tests/game/profile/metrics/noise.h"
 
 namespace gw::profile::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/game/profile/noise.h"
+#include "tests/game/profile/metrics/noise.h"
 
 namespace gw::profile::test {
 namespace {

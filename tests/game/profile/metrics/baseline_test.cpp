@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "tests/game/profile/noise.h"
+#include "tests/game/profile/metrics/noise.h"
 
 namespace gw::profile::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "game/profile/metrics/metrics.h"
-#include "tests/game/profile/noise.h"
+#include "tests/game/profile/metrics/noise.h"
 
 namespace gw::profile::test {
 namespace {

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "host/platform/atomic_file.h"
-#include "tests/game/profile/scratch_folder.h"
+#include "tests/game/profile/report/scratch_folder.h"
 
 namespace gw::profile::test {
 namespace {

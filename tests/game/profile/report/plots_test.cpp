@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "tests/game/profile/sample_report.h"
+#include "tests/game/profile/report/sample_report.h"
 
 namespace gw::profile::test {
 namespace {

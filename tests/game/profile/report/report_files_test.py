@@ -15,7 +15,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from xml.etree import ElementTree
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "e2e"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "e2e"))
 from pictures import colours_of, reports_in  # noqa: E402
 from program import Failures, skip  # noqa: E402
 

@@ -12,8 +12,8 @@
 #include "game/profile/report/write_report.h"
 #include "host/platform/atomic_file.h"
 #include "host/platform/user_error.h"
-#include "tests/game/profile/sample_report.h"
-#include "tests/game/profile/scratch_folder.h"
+#include "tests/game/profile/report/sample_report.h"
+#include "tests/game/profile/report/scratch_folder.h"
 
 namespace gw::profile::test {
 namespace {

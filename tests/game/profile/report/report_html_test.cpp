@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "game/profile/report/summary.h"
-#include "tests/game/profile/sample_report.h"
+#include "tests/game/profile/report/sample_report.h"
 
 namespace gw::profile::test {
 namespace {

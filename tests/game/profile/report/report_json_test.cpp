@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "host/platform/atomic_file.h"
-#include "tests/game/profile/sample_report.h"
-#include "tests/game/profile/scratch_folder.h"
+#include "tests/game/profile/report/sample_report.h"
+#include "tests/game/profile/report/scratch_folder.h"
 
 namespace gw::profile::test {
 namespace {

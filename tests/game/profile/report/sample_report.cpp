@@ -1,4 +1,4 @@
-#include "tests/game/profile/sample_report.h"
+#include "tests/game/profile/report/sample_report.h"
 
 #include <algorithm>
 #include <cmath>

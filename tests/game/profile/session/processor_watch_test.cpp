@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/gpu/fake_system.h"
+#include "tests/gpu/devices/fake_system.h"
 
 namespace gw::profile {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "game/sim/entity_flags.h"
-#include "tests/game/behaviour/scene.h"
+#include "tests/game/sim/behaviour/scene.h"
 
 namespace gw::test {
 namespace {

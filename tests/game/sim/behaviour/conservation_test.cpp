@@ -7,7 +7,7 @@
 #include <random>
 #include <tuple>
 
-#include "tests/game/behaviour/scene.h"
+#include "tests/game/sim/behaviour/scene.h"
 
 namespace gw::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/game/behaviour/scene.h"
+#include "tests/game/sim/behaviour/scene.h"
 
 #include <algorithm>
 #include <cstring>
