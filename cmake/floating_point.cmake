@@ -1,5 +1,5 @@
 # The flags that keep the bits equal on every device, in one interface target that everything links, users of
-# the installed library included. No -ffast-math, no -Ofast, no contraction: see docs/determinism.md.
+# the installed library included. No -ffast-math, no -Ofast, no contraction: see docs/design/determinism.md.
 add_library(gw_gpu_flags INTERFACE)
 target_include_directories(gw_gpu_flags INTERFACE
   $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>) # <gpuwars/...>, see gpu/CMakeLists.txt

@@ -1,4 +1,4 @@
-# GW_PACKAGES: what packages hold besides the program, and `cpack` to make them (docs/building.md). The program that is
+# GW_PACKAGES: what packages hold besides the program, and `cpack` to make them (docs/guide/building.md). The program that is
 # installed then is not gpuwars of the build folder but its twin below packaged/, which takes the kernels of the cpu
 # device from a library that exists once per kind of processor.
 if(NOT GW_GAME OR NOT GW_WINDOW)

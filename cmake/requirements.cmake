@@ -1,5 +1,5 @@
 # What this project cannot be built with: a compiler that is too old, a machine or flags with other arithmetic. Each is
-# refused by one sentence with a remedy. What arithmetic has to do with it: docs/determinism.md.
+# refused by one sentence with a remedy. What arithmetic has to do with it: docs/design/determinism.md.
 
 # The sentence against a compiler; empty: it is fine. Versions are what C++20 as we use it was tried with.
 function(gw_refusal_of_compiler id version refusal)

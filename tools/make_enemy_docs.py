@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/enemies.md and the diagrams of the state machines from the tables.
+"""Writes docs/reference/enemies.md and the diagrams of the state machines from the tables.
 
     tools/make_enemy_docs.py DESCRIBE_ENEMIES [--check]
 
@@ -87,7 +87,7 @@ def files_of(facts):
     """Every file that is made, relative to the root, with its text."""
     made = {f"docs/images/machine_{machine.replace(' ', '_')}.svg": state_diagram.diagram(machine, rows)
             for machine, rows in facts["machines"].items()}
-    made["docs/enemies.md"] = Page(facts).text((ROOT / "tools/enemies_template.md").read_text())
+    made["docs/reference/enemies.md"] = Page(facts).text((ROOT / "tools/enemies_template.md").read_text())
     return made
 
 

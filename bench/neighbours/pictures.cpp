@@ -1,4 +1,4 @@
-// Draws the NGrid from real runs, for docs/ngrid.md:
+// Draws the NGrid from real runs, for docs/design/ngrid.md:
 //
 //   build/release/gw_ngrid_pictures docs/images
 #include "bench/neighbours/pictures.h"

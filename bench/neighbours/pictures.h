@@ -1,4 +1,4 @@
-// What the pictures for docs/ngrid.md have in common.
+// What the pictures for docs/design/ngrid.md have in common.
 #pragma once
 
 #include <string>

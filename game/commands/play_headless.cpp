@@ -85,7 +85,7 @@ void printSummary(Run& run, const RunFactory& factory, const Options& options, u
                    withCommas(run.simulation().capacity()) + " entities");
   line("mode", std::string(modeName(options.mode)) + ": " + endingText(report, rules));
   const std::string neighbours = neighboursText(options.gather.value_or(Gather::exact), options.sort);
-  if (!neighbours.empty()) line("neighbours", neighbours + "; misses some, see docs/thesis-preset.md");
+  if (!neighbours.empty()) line("neighbours", neighbours + "; misses some, see docs/results/thesis-preset.md");
   line("ticks", withCommas(report.tick) + (report.over     ? " (over at tick " + std::to_string(report.tick) + ")"
                                            : interrupted() ? " (interrupted)"
                                                            : ""));

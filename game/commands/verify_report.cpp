@@ -41,7 +41,7 @@ std::string failureText(const Outcome& outcome) {
     }
     if (!outcome.fields && outcome.compared == outcome.ticks) text += "; no hashes by field are kept from there on";
     if (!outcome.reference.empty()) text += "; so it is on both sides";
-    return text + "; see docs/determinism.md for how to find the cause.\n";
+    return text + "; see docs/design/determinism.md for how to find the cause.\n";
   }
   if (!outcome.wrong.empty()) return name + ": " + outcome.wrong + "\n";
   return outcome.error.empty() ? "" : outcome.error + "\n";

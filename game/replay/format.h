@@ -1,4 +1,4 @@
-// The constants of the replay format; docs/replay-format.md describes the file in order.
+// The constants of the replay format; docs/reference/replay-format.md describes the file in order.
 #pragma once
 
 #include <array>

@@ -155,7 +155,7 @@ class Reader {
       const std::optional<Control> control = text ? controlFromName(device, text->get()) : std::nullopt;
       if (!control) {
         wrong(item, key,
-              fmt::format("{} is not the name of a {}; it is left out, see docs/settings.md for the names",
+              fmt::format("{} is not the name of a {}; it is left out, see docs/guide/settings.md for the names",
                           oneLine(inlineText(item)), kind(device)));
       } else if (device == InputDevice::keyboard && isInstrumentKey(control->code)) {
         wrong(item, key,
@@ -263,7 +263,8 @@ ReadSettings readSettings(const std::string& text, const std::string& name) {
 }
 
 std::string writeSettings(const Settings& settings, const std::vector<std::pair<std::string, std::string>>& unknown) {
-  std::string text = "# GpuWars. The settings screen changes this file; docs/settings.md says what each key means.\n";
+  std::string text =
+      "# GpuWars. The settings screen changes this file; docs/guide/settings.md says what each key means.\n";
   const auto addUnknown = [&](std::string_view section) {
     for (const auto& [where, line] : unknown) {
       if (where == section) text += line + "\n";

@@ -1,5 +1,5 @@
 // Which processors the cpu device's kernels in use were compiled for: an installed game has them for several and takes
-// the fastest at its start (docs/building.md).
+// the fastest at its start (docs/guide/building.md).
 #pragma once
 
 namespace gw::cpu {

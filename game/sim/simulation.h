@@ -28,7 +28,7 @@ enum class BroadPhase : uint32_t { ngrid, grid, gridHashed, bruteForce };
 // the state: hashed, and kept in snapshots and replays.
 enum class Gather : uint32_t { exact, adaptive, fixed };
 enum class Sort : uint32_t { bitonic, oddEven, full, frozen };
-// The fastest that was measured (docs/ngrid-performance.md); of windows the thesis's.
+// The fastest that was measured (docs/results/ngrid-performance.md); of windows the thesis's.
 constexpr Sort usualSort(Gather gather) {
   return gather == Gather::exact ? Sort::frozen : Sort::bitonic;
 }

@@ -33,7 +33,7 @@ struct WorldFrame {
 class WorldView {
  public:
   // How many particles are drawn at most: all there are where there is a GPU; without one as many as cost 7 ms of
-  // processor time (docs/effects.md). A busy fight has 500 in view.
+  // processor time (docs/design/effects.md). A busy fight has 500 in view.
   static constexpr uint32_t kParticlesDrawn = 16384, kParticlesDrawnWithoutGpu = 3072;
 
   // Needs a current GL context. `capacity` is the simulation's.

@@ -11,7 +11,7 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-// Fitted: meeting one more row costs a search as much as this many more tests (docs/ngrid-performance.md).
+// Fitted: meeting one more row costs a search as much as this many more tests (docs/results/ngrid-performance.md).
 constexpr double kRowCost = 25.0;
 
 double smallerOf(double a, double b) {

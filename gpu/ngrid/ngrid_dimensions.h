@@ -31,7 +31,7 @@ struct NDimensions {
 // For exact gathers of `radius` (m, finite, above 0) among n entities spread over a box of `size` (m, finite, at least
 // 0): the rows and slabs for which a cost model expects the fastest search. What a search pays is mostly the two ends
 // of its span in each row that it meets, and then the tests: cost = kRowCost * rows met + tests. So rows are fewer and
-// longer than columns; docs/ngrid-performance.md has the fit.
+// longer than columns; docs/results/ngrid-performance.md has the fit.
 NDimensions chooseDimensions(uint32_t n, Float3 size, float radius);
 
 // For windowed gathers: so that n entities spread over the box stand as far apart along each axis, as far as

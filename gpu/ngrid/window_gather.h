@@ -10,7 +10,7 @@
 //
 // Guarantees: what is visited passes isNeighbour(), so nothing that is no neighbour is ever found, and nothing
 // is found twice. It is *inexact*: a neighbour outside the window is missed; recall depends on how well the
-// lines are kept (docs/thesis-preset.md has figures). So the arrangement of the cells is felt, and is part
+// lines are kept (docs/results/thesis-preset.md has figures). So the arrangement of the cells is felt, and is part
 // of the state of whatever is computed with it. Exact gathering is row_gather.h.
 //
 // In 3D poles are looked along as columns are. Both need only the cells, not what maintain() knows of the rows: any

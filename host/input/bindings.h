@@ -58,13 +58,13 @@ inline constexpr uint32_t kKeys = 512;         // SDL_NUM_SCANCODES
 inline constexpr uint32_t kMouseButtons = 16;  // numbered from 1
 
 inline constexpr uint16_t kKeyEnter = 40, kKeyEscape = 41;
-// Keys of the instruments (docs/overlay.md): F3, F4, F5. They are fixed, and nothing can be bound to them.
+// Keys of the instruments (docs/guide/overlay.md): F3, F4, F5. They are fixed, and nothing can be bound to them.
 inline constexpr uint16_t kKeyOverlay = 60, kKeyColouring = 61, kKeyBroadPhase = 62;
 constexpr bool isInstrumentKey(uint32_t key) {
   return key >= kKeyOverlay && key <= kKeyBroadPhase;
 }
 
-// Keys of the replay viewer (docs/watching.md). They are fixed as well: . , = - C H 0 of a US keyboard, and WASD.
+// Keys of the replay viewer (docs/guide/watching.md). They are fixed as well: . , = - C H 0 of a US keyboard, and WASD.
 inline constexpr uint16_t kViewerStepOn = 55, kViewerStepBack = 54, kViewerFaster = 46, kViewerSlower = 45,
                           kViewerCamera = 6, kViewerHelp = 11, kViewerShip = 39;
 inline constexpr uint16_t kViewerPan[] = {26, 4, 22, 7};  // up, left, down, right

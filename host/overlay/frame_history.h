@@ -17,7 +17,7 @@ class FrameHistory {
   bool empty() const { return ring_.empty(); }
   std::vector<double> oldestFirst_ms() const;
 
-  // As `gpuwars profile` has them (docs/profile.md), over what is remembered; 0 while nothing is.
+  // As `gpuwars profile` has them (docs/guide/profile.md), over what is remembered; 0 while nothing is.
   double mean_ms() const;
   double p99_ms() const;
   double longest_ms() const;

@@ -1,4 +1,4 @@
-// How the program ends, for scripts: docs/files.md says which command gives which.
+// How the program ends, for scripts: docs/reference/files.md says which command gives which.
 #pragma once
 
 namespace gw {

@@ -1,4 +1,4 @@
-"""The table of suites, for a terminal and for docs/building.md."""
+"""The table of suites, for a terminal and for docs/guide/building.md."""
 from comparison import told_apart
 from outcome import FAILED, SKIPPED, STATES
 

@@ -1,5 +1,5 @@
 // describe_enemies ASSETS: the state tables and the enemies' numbers as JSON, for what draws and writes
-// docs/enemies.md from them.
+// docs/reference/enemies.md from them.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Changed tables make docs/enemies.md stale, and the check says so.
+"""Changed tables make docs/reference/enemies.md stale, and the check says so.
 
     enemy_docs_test.py MAKE_ENEMY_DOCS DESCRIBE_ENEMIES ASSETS
 """
@@ -40,7 +40,7 @@ with tempfile.TemporaryDirectory() as folder:
     check = subprocess.run([sys.executable, make, describe, "--assets", folder, "--check"], stderr=subprocess.PIPE,
                            text=True, check=False)
     want(table.read_text() != text and check.returncode == 1, "a faster triangle makes the page stale")
-    want("docs/enemies.md is not what the tables say; run tools/make_enemy_docs.py" in check.stderr,
+    want("docs/reference/enemies.md is not what the tables say; run tools/make_enemy_docs.py" in check.stderr,
          "and what refreshes it is said")
 
 machines = json.loads(subprocess.run([describe, assets], stdout=subprocess.PIPE, check=True).stdout)["machines"]

@@ -1,5 +1,6 @@
 // Every CUDA call of a game fails once, in every way that counts: the game begins or goes on with the cpu device, with
-// the same hash at every tick, and says so in one sentence. The table in docs/cuda-faults.md is what was seen here.
+// the same hash at every tick, and says so in one sentence. The table in docs/reference/cuda-faults.md is what was seen
+// here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -188,7 +189,7 @@ TEST(Fault, TheTableInTheDocsIsWhatWasSeen) {
     return all.str();
   };
   EXPECT_NE(text(GW_FAULT_DOCS).find(text(GW_FAULT_TABLE)), std::string::npos)
-      << "copy " << GW_FAULT_TABLE << " into docs/cuda-faults.md";
+      << "copy " << GW_FAULT_TABLE << " into docs/reference/cuda-faults.md";
 }
 
 TEST(Fault, AMachineThatCannotIsToldSoAtOnce) {

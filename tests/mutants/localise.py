@@ -71,7 +71,7 @@ def misplaced(mutant, tick, status, told, of_entities):
 
 
 def places_table(places):
-    """Between the marks of docs/mutants.md."""
+    """Between the marks of docs/results/mutants.md."""
     rows = ["| mutant | replay | tick | stage | entity | field | mutant's value | unchanged |",
             "|---|---|---|---|---|---|---|---|"]
     for place in places:

@@ -1,10 +1,10 @@
-"""What a run says: survivors without a reason, reasons without a survivor, and the table of docs/mutants.md."""
+"""What a run says: survivors without a reason, reasons without a survivor, and the table of docs/results/mutants.md."""
 from collections import Counter
 
 HEAD = """# Mutants
 
 A test suite is as good as the faults it notices. `tests/mutants/run_mutants` changes one constant, comparison or sign
-of the simulation at a time and verifies the golden replays, shortest first, until one fails. [Testing](testing.md) says
+of the simulation at a time and verifies the golden replays, shortest first, until one fails. [Testing](../guide/testing.md) says
 how it chooses. This page is written by `run_mutants --write`.
 
 """
@@ -56,7 +56,7 @@ def escaped(text):
 
 
 def localised(page):
-    """What stands between the marks of docs/mutants.md; nothing where there are none yet."""
+    """What stands between the marks of docs/results/mutants.md; nothing where there are none yet."""
     return page.partition(BEGIN)[2].partition(END)[0].strip()
 
 
@@ -69,7 +69,7 @@ def with_localised(page, rows):
 
 
 def table(found, reasons, chosen):
-    """docs/mutants.md as text, but for what is localised; `chosen`: how many there are to try."""
+    """docs/results/mutants.md as text, but for what is localised; `chosen`: how many there are to try."""
     caught = sum(outcome.caught for _, outcome in found)
     out = [HEAD, f"**{caught} of {len(found)} caught**; {len(found) - caught} survive, each for a reason given below.\n"]
     if len(found) < chosen:

@@ -63,7 +63,7 @@ def must(root, *command, folder="/", limit_s=3600):
 
 
 def built_packages(source, roots, log):
-    """The commands of docs/building.md on a Debian 13 with what play needs."""
+    """The commands of docs/guide/building.md on a Debian 13 with what play needs."""
     root = roots.fresh_copy(RELEASE, "package_builder", log)
     for name in gate_tools.repository_files(source):
         (root.path / TREE / name).parent.mkdir(parents=True, exist_ok=True)

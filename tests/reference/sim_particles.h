@@ -1,4 +1,4 @@
-// What is thrown in a tick, by the table in docs/effects.md, one source after the other.
+// What is thrown in a tick, by the table in docs/design/effects.md, one source after the other.
 #pragma once
 
 #include <vector>

@@ -154,7 +154,7 @@ class Matrix(unittest.TestCase):
         self.assertEqual(wrong, 0)
 
     def test_marks(self):
-        text = (SOURCE / "docs/determinism.md").read_text()
+        text = (SOURCE / "docs/design/determinism.md").read_text()
         self.assertIn("\nsomething\n<!-- end of matrix -->", script.between(text, "matrix", "something"))
         with self.assertRaisesRegex(ValueError, "has lost the marks of its matrix"):
             script.between("nothing", "matrix", "something")

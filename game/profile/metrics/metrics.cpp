@@ -9,7 +9,7 @@ namespace {
 
 constexpr Better kHigher = Better::higher, kLower = Better::lower, kNeither = Better::neither;
 
-// docs/profile.md has the same table; a test compares them.
+// docs/guide/profile.md has the same table; a test compares them.
 constexpr Metric kMetrics[] = {
     {"meanFps", "frames/s", "Frames divided by the sum of their times.", kHigher},
     {"frame_ms.mean", "ms", "The mean frame time.", kLower},

@@ -1,4 +1,4 @@
-// What a profile measures, by name: the one table that reports, comparisons and docs/profile.md read.
+// What a profile measures, by name: the one table that reports, comparisons and docs/guide/profile.md read.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// report.json: all of a Report, for scripts and for --baseline. docs/profile-report.md describes it, and
-// docs/profile-report.schema.json to the letter.
+// report.json: all of a Report, for scripts and for --baseline. docs/reference/profile-report.md describes it, and
+// docs/reference/profile-report.schema.json to the letter.
 #pragma once
 
 #include <filesystem>

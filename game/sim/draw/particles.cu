@@ -6,7 +6,7 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-// What one source throws: a fan of streaks. docs/effects.md has the table.
+// What one source throws: a fan of streaks. docs/design/effects.md has the table.
 struct Burst {
   uint32_t count;
   float x, y;                   // m

@@ -16,7 +16,7 @@ namespace {
 
 using namespace replay_format;
 
-// Beyond the file itself; what docs/replay-format.md and replay_reader.h promise.
+// Beyond the file itself; what docs/reference/replay-format.md and replay_reader.h promise.
 constexpr size_t kMostAllocated = 32u << 20;
 
 ForgedChunk compressed(uint32_t kind, uint32_t flags, uint32_t firstTick, const Bytes& payload) {

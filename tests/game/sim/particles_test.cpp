@@ -117,7 +117,7 @@ TEST_F(particles, are_those_of_the_naive_version_on_crowds) {
 }
 
 TEST_F(particles, fly_from_where_an_enemy_dies_as_many_as_its_type_throws) {
-  const uint32_t wanted[] = {12, 16, 40, 11, 13, 18, 27};  // docs/effects.md
+  const uint32_t wanted[] = {12, 16, 40, 11, 13, 18, 27};  // docs/design/effects.md
   for (uint32_t type = 0; type < rules.enemyTypeCount; ++type) {
     SCOPED_TRACE(rules.enemies[type].name);
     world.entities.clear();

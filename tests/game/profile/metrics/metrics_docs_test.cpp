@@ -1,4 +1,4 @@
-// docs/profile.md has the table of metrics, row by row.
+// docs/guide/profile.md has the table of metrics, row by row.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -52,7 +52,7 @@ TEST(Metrics, AreDefinedInTheDoc) {
     table.push_back(withSingleSpaces(row));
     wanted += row + "\n";
   }
-  EXPECT_EQ(doc, table) << "docs/profile.md needs these rows:\n" << wanted;
+  EXPECT_EQ(doc, table) << "docs/guide/profile.md needs these rows:\n" << wanted;
 }
 
 TEST(Metrics, HaveNamesOfTheirOwnAndOneSentence) {

@@ -3,7 +3,7 @@
 
     report_files_test.py markup|schema|pictures REPORTS SCHEMA
 
-markup: SVG is well-formed, and HTML nests.  schema: report.json is as docs/profile-report.schema.json says; skipped
+markup: SVG is well-formed, and HTML nests.  schema: report.json is as docs/reference/profile-report.schema.json says; skipped
 without Python's jsonschema.  pictures: every PNG shows every colour of its SVG; skipped without rsvg-convert, or
 ImageMagick to read them.
 """
