@@ -1,5 +1,5 @@
 // The rule by which a crowd walks, over every way of gpu/ to find neighbours. Nothing in it depends on the order of
-// visits: whoever finds the same neighbours walks to the same places, bit for bit.
+// visits: ways that find the same neighbours give the same positions, bit for bit.
 #include <stdexcept>
 #include <utility>
 
@@ -35,6 +35,8 @@ GW_FN Cell at(Cell cell, Float3 place) {
 GW_FN Cell3 at(Cell3 cell, Float3 place) {
   return {place.x, place.y, place.z, cell.id};
 }
+
+constexpr float kPushScale = 0x1p20f;  // terms are at most 1
 
 struct FixedSum3 {
   int64_t x = 0, y = 0, z = 0;
@@ -73,7 +75,7 @@ struct Walk {
     });
     const Float3 way = inSpace(placeOf(goals[self.id])) + here * -1.0f;
     const float left = lengthOf(way);
-    // Slower over the last radius, so that nobody dances about the goal.
+    // Slower over the last radius, so that none circles the goal.
     const Float3 wanted = way * (rule.speed_mps / (left > rule.radius ? left : rule.radius));
     const Float3 now = velocity[self.id];
     Float3 then = now + (wanted + now * -1.0f) * (rule.step_s / rule.reaction_s) +

@@ -29,7 +29,7 @@ inline const char* cudaRemedy(cudaError_t error) {
 // `doing` goes on from "while": "allocating device memory".
 inline void check(cudaError_t error, const char* doing) {
   if (error == cudaSuccess) return;
-  cudaGetLastError();  // forget it: whoever catches this and goes on must not meet it again
+  cudaGetLastError();  // clear it: a caller that catches this and goes on must not get it again
   const std::string text =
       std::string("CUDA failed while ") + doing + " (" + cudaGetErrorString(error) + "): " + cudaRemedy(error) + ".";
   if (error == cudaErrorMemoryAllocation) throw DeviceOutOfMemory(text);

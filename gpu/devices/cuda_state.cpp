@@ -50,7 +50,7 @@ CudaVerdict judgeCuda(const CudaAnswers& answers) {
   if (!answers.error.empty()) {
     return {CudaState::failed, driver + " does not answer (" + answers.error +
                                    "): start the machine again, or "
-                                   "install the driver anew."};
+                                   "reinstall the driver."};
   }
   const std::string old = tooOld(answers.devices.front(), answers.oldestArchitecture);
   if (old.empty()) return {};

@@ -13,8 +13,9 @@ namespace gw {
 enum class CudaState { ready, notBuilt, noDriver, driverTooOld, noDevice, deviceTooOld, failed };
 const char* nameOf(CudaState state);  // as the enumerator is called
 
+// What a CUDA device says of itself.
 struct CudaDevice {
-  std::string name;
+  std::string name;      // e.g. "NVIDIA H200"
   int architecture = 0;  // compute capability, e.g. 90
 };
 
@@ -29,10 +30,12 @@ struct CudaAnswers {
   std::vector<CudaDevice> devices;                    // those that could be described; kernels run on the first
 };
 
+// What follows from the answers.
 struct CudaVerdict {
-  CudaState state = CudaState::ready;
-  std::string why;  // one sentence with a remedy; empty when ready
+  CudaState state = CudaState::ready;  // the first reason found
+  std::string why;                     // one sentence with a remedy; empty when ready
 };
+// Never throws.
 CudaVerdict judgeCuda(const CudaAnswers& answers);
 
 // Why kernels cannot run on this device; empty when they can.
@@ -42,7 +45,7 @@ std::string tooOld(const CudaDevice& device, int oldestArchitecture);
 std::string cudaVersionText(int version);
 
 // The smallest of CMake's list of architectures, e.g. 75 of "80,75-real,90a,120-virtual"; 0 when none is a number
-// ("native", "all-major"): then no device is refused beforehand.
+// ("native", "all-major"): then no device is refused in advance.
 int oldestOf(std::string_view architectures);
 
 // The release in the text of /proc/driver/nvidia/version; empty when there is none.

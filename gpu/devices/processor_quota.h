@@ -8,6 +8,7 @@
 
 namespace gw {
 
+// Read once, when it is made; throttled_s() reads again. Never throws: what cannot be read is no limit.
 class ProcessorQuota {
  public:
   // `root` holds /proc and where the groups are mounted.

@@ -12,6 +12,7 @@
 
 namespace gw {
 
+// What limits the threads of this process.
 struct Processors {
   uint32_t present = 1;           // that the system has switched on
   std::vector<uint32_t> allowed;  // on which the calling thread, and all that it starts, may run
@@ -26,6 +27,7 @@ Processors readProcessors(const std::filesystem::path& root = "/");
 
 // "0-3,8", as Linux writes lists of processors.
 std::vector<uint32_t> processorsInList(const std::string& list);
+// The other way round.
 std::string processorList(const std::vector<uint32_t>& processors);
 
 }  // namespace gw

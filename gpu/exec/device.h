@@ -19,12 +19,12 @@
 
 #if defined(__CUDACC__) || defined(GW_STAND_IN_KERNELS)
 #define GW_ON_CUDA 1
-#define GW_FN __host__ __device__ inline  // arithmetic that host code of the same device may call too
-#define GW_MEMBER __host__ __device__     // the same for members
-#define GW_BODY __device__                // kernel bodies and what only they may call
+#define GW_FN __host__ __device__ inline
+#define GW_MEMBER __host__ __device__
+#define GW_BODY __device__
 #else
-#define GW_ON_CUDA 0
-#define GW_FN inline
-#define GW_MEMBER
-#define GW_BODY
+#define GW_ON_CUDA 0  // 1 where this is compiled for the cuda device
+#define GW_FN inline  // a function of arithmetic, which host code of the same device may call too
+#define GW_MEMBER     // the same for members
+#define GW_BODY       // kernel bodies and what only they may call
 #endif

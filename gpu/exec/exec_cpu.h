@@ -12,17 +12,20 @@
 
 namespace gw::GW_DEVICE {
 
-// Launches run at once and in order; what cuda calls a stream is here the calling thread.
+// Where launches go, in order. On cuda it is a stream, and launches return before they have run; here they run at once,
+// on the calling thread and its pool. Used by one thread at a time. It outlives all that was made with it (see exec.h).
 class Queue {
  public:
+  // Starts the threads (on cuda makes the stream). Throws DeviceError on cuda when there is no device that answers.
   explicit Queue(const ExecOptions& options)
       : pool(options.threads), memory(options.protectMemory), order(options.order) {}
 
+  // Waits until all launches and copies are done. On cuda a fault of any of them is thrown here, as DeviceError.
   void synchronise() {}
 
-  WorkerPool pool;
-  GuardedMemory memory;
-  VisitOrder order;
+  WorkerPool pool;        // cpu only
+  GuardedMemory memory;   // cpu only
+  VisitOrder order;       // cpu only
   uint64_t launches = 0;  // so far
   size_t bytes = 0;       // in its buffers, now
 };
@@ -40,6 +43,7 @@ inline uint32_t visit(VisitOrder order, uint32_t i, uint32_t n) {
   }
 }
 
+// The items of a launch: read on the device, at most the capacity.
 inline uint32_t liveCount(const Count& count) {
   return count.d_live ? std::min(*count.d_live, count.capacity) : count.capacity;
 }
@@ -47,6 +51,7 @@ inline uint32_t liveCount(const Count& count) {
 // Items that a worker claims at a time. Enough to hide the claim; small enough to balance two workers.
 inline constexpr uint32_t kChunk = 256;
 
+// Runs kernel(0) ... kernel(n - 1), in any order and at once. The kernel is copied. Never throws on cpu.
 template <class Kernel>
 void forEach(Queue& queue, Count count, const Kernel& kernel) {
   ++queue.launches;
@@ -72,11 +77,13 @@ void forEach(Queue& queue, Count count, const Kernel& kernel) {
       &job);
 }
 
+// What the body of a team is called with.
 template <uint32_t kLanes>
 struct Team {
-  uint32_t index;
-  VisitOrder order;
+  uint32_t index;    // of the team
+  VisitOrder order;  // of lanes, on cpu
 
+  // Calls body(lane) for every lane; all are done when it returns.
   template <class Body>
   void phase(const Body& body) const {
     if (order == VisitOrder::forward) {
@@ -87,6 +94,7 @@ struct Team {
   }
 };
 
+// Runs kernel(team, shared) for the teams 0 .. teams - 1, in any order and at once. The kernel is copied.
 template <class Kernel>
 void forEachTeam(Queue& queue, uint32_t teams, const Kernel& kernel) {
   ++queue.launches;
@@ -107,6 +115,7 @@ void forEachTeam(Queue& queue, uint32_t teams, const Kernel& kernel) {
       &job);
 }
 
+// Which way a copy goes.
 enum class Copy { toDevice, toHost, onDevice };
 
 // The one way in which bytes cross between host and device.
@@ -115,20 +124,25 @@ inline void copyBytes(Queue& queue, void* destination, const void* source, size_
   if (bytes) std::memcpy(destination, source, bytes);
 }
 
+// The same without waiting: a place in the queue, which a captured tick repeats.
 inline void enqueueCopy(Queue& queue, void* destination, const void* source, size_t bytes, Copy kind) {
   copyBytes(queue, destination, source, bytes, kind);
 }
 
+// Device memory, zeroed. Throws DeviceOutOfMemory on cuda, std::runtime_error on cpu. Buffer owns such memory.
 inline void* allocateBytes(Queue& queue, size_t bytes) {
   return queue.memory.allocate(bytes);
 }
+// Gives it back. Never throws.
 inline void releaseBytes(Queue& queue, void* pointer) {
   queue.memory.release(pointer);
 }
 
+// Host memory that copies may read and write while the host works on: pinned on cuda. RecordRing owns such memory.
 inline void* allocateHostBytes(Queue&, size_t bytes) {
   return ::operator new(bytes);
 }
+// Gives it back. Never throws.
 inline void releaseHostBytes(Queue&, void* pointer) {
   ::operator delete(pointer);
 }
@@ -136,7 +150,9 @@ inline void releaseHostBytes(Queue&, void* pointer) {
 // A place in the queue's work that the host can wait for; here all work is done when it has been launched.
 class Fence {
  public:
+  // Behind all that has been launched and copied so far.
   void place(Queue&) {}
+  // Returns when the queue has passed it. Throws DeviceError on cuda when the work before it failed.
   void wait() {}
 };
 
@@ -145,6 +161,7 @@ inline void atomicAddTo(uint32_t& word, uint32_t amount) {
   std::atomic_ref<uint32_t>(word).fetch_add(amount, std::memory_order_relaxed);
 }
 
+// Sets the word to the larger of both.
 inline void atomicRaiseTo(uint64_t& word, uint64_t value) {
   std::atomic_ref<uint64_t> shared(word);
   uint64_t seen = shared.load(std::memory_order_relaxed);
@@ -152,6 +169,7 @@ inline void atomicRaiseTo(uint64_t& word, uint64_t value) {
   }
 }
 
+// As atomicAddTo().
 inline void atomicAddTo64(uint64_t& word, uint64_t amount) {
   std::atomic_ref<uint64_t>(word).fetch_add(amount, std::memory_order_relaxed);
 }

@@ -10,7 +10,7 @@ namespace gw {
 // control word of x87, by which strtod() and printf() round. AArch64: FPCR. Flags of past exceptions do not count.
 bool floatStateIsDefault();
 
-// Sets it for the calling thread. Returns false when somebody had changed it.
+// Sets it for the calling thread. Returns false when it had been changed.
 bool setFloatState();
 
 }  // namespace gw

@@ -7,8 +7,10 @@
 
 namespace gw {
 
+// Owns what it gave out, and frees it at its end.
 class GuardedMemory {
  public:
+  // protect: closed to the host but for the time of an Access.
   explicit GuardedMemory(bool protect) : protect_(protect) {}
   ~GuardedMemory();
   GuardedMemory(const GuardedMemory&) = delete;
@@ -16,18 +18,21 @@ class GuardedMemory {
 
   // Zeroed, page-aligned. Throws std::runtime_error with a sentence when the machine has no more.
   void* allocate(size_t bytes);
+  // Of a pointer from allocate(); null does nothing.
   void release(void* pointer);
 
   // Whole pages each, in the order in which they were allocated.
   struct Range {
-    void* start;
-    size_t bytes;
+    void* start;   // of the first page
+    size_t bytes;  // a multiple of a page
   };
+  // What is allocated now.
   const std::vector<Range>& ranges() const { return ranges_; }
 
   // Opens all of it for as long as the object lives; nests.
   class Access {
    public:
+    // Opens.
     explicit Access(GuardedMemory& memory) : memory_(memory) { memory_.open(); }
     ~Access() { memory_.close(); }
     Access(const Access&) = delete;

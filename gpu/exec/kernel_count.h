@@ -7,6 +7,7 @@
 
 namespace gw {
 
+// So far, of all queues.
 inline std::atomic<uint64_t> cudaKernelsRun{0};
 
 }  // namespace gw

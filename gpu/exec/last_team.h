@@ -1,4 +1,4 @@
-// Going on in the same launch once all teams have done their part: whoever comes last does the rest.
+// Last-block pattern: the last team to arrive runs the epilogue in the same launch.
 //
 //   team 0   writes its rows ── arrives (1 of 3), ends
 //   team 1   writes its rows ── arrives (3 of 3), reads all rows, writes what is known of them together
@@ -23,7 +23,7 @@ GW_BODY bool isLastTeam(const Team&, uint32_t& s_isLast, uint32_t* d_arrived, ui
 #if GW_ON_CUDA
   __syncthreads();  // the team has written
   if (threadIdx.x == 0) {
-    __threadfence();  // ... and whoever sees it arrive sees that
+    __threadfence();  // ... and a team that sees the arrival sees those writes
     s_isLast = atomicAdd(d_arrived, 1u) == teams - 1;
     if (s_isLast) *d_arrived = 0;
     __threadfence();

@@ -15,11 +15,13 @@
 
 namespace gw::GW_DEVICE {
 
+// Its queue outlives it, and no copy of it may be in flight when it ends.
 template <class T>
 class RecordRing {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
+  // Throws DeviceOutOfMemory on cuda, std::bad_alloc on cpu.
   RecordRing(Queue& queue, uint32_t slots)
       : queue_(queue), host_(static_cast<T*>(allocateHostBytes(queue, slots * sizeof(T)))) {
     for (uint32_t s = 0; s < slots; ++s) new (host_ + s) T;
@@ -28,8 +30,11 @@ class RecordRing {
   RecordRing(const RecordRing&) = delete;
   RecordRing& operator=(const RecordRing&) = delete;
 
+  // The host's slot; which one is not checked.
   T& host(uint32_t slot) { return host_[slot]; }
+  // Queues the copy of a slot to the device.
   void toDevice(uint32_t slot, T* d_record) { enqueueCopy(queue_, d_record, host_ + slot, sizeof(T), Copy::toDevice); }
+  // Queues the copy of the device's record into a slot.
   void toHost(uint32_t slot, const T* d_record) {
     enqueueCopy(queue_, host_ + slot, d_record, sizeof(T), Copy::toHost);
   }

@@ -84,19 +84,24 @@ double timeAlone_ms(Queue& queue, const Launch& launch) {
 #endif
 }
 
+// Sums the time of stages by name.
 class StageTimer {
  public:
+  // One stage so far.
   struct Stage {
-    std::string name;
-    double total_ms = 0;
-    uint64_t calls = 0;
+    std::string name;     // as given to time()
+    double total_ms = 0;  // of all calls
+    uint64_t calls = 0;   // so far
   };
 
+  // Off, time() only launches.
   void enable(bool on) { on_ = on; }
+  // Whether stages are timed.
   bool enabled() const { return on_; }
+  // In the order in which they were first timed.
   const std::vector<Stage>& stages() const { return stages_; }
 
-  // Called once the queue has passed a stage, with its name; none: nobody waits for anything.
+  // Called once the queue has passed a stage, with its name; none: stages are not waited for.
   void tell(std::function<void(const char*)> listener) { listener_ = std::move(listener); }
 
   // Where stages that are captured from here on leave their events.

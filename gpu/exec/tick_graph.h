@@ -1,7 +1,7 @@
 // A fixed sequence of launches, captured once and replayed every tick. On cuda a CUDA graph: one call per
 // tick instead of one per launch. On cpu there is nothing to save, and replaying calls the sequence; so does a
 // cuda queue that checks every launch.
-// Captured pointers are frozen: whoever ping-pongs buffers captures one graph per parity.
+// Captured pointers are frozen: code that ping-pongs buffers captures one graph per parity.
 #pragma once
 
 #include <gpuwars/exec.h>
@@ -11,6 +11,7 @@
 
 namespace gw::GW_DEVICE {
 
+// Its queue outlives it, and so does all that the launches point to. Move-only on cuda.
 class TickGraph {
  public:
   TickGraph() = default;
@@ -70,8 +71,11 @@ class TickGraph {
   cudaGraphExec_t graph_ = nullptr;
   uint64_t kernels_ = 0;
 #else
+  // Captures what launches() launches: on cuda it is called once, now, and what it does on the host is not repeated.
+  // Throws DeviceError when something in it cannot be captured.
   TickGraph(Queue&, std::function<void()> launches) : launches_(std::move(launches)) {}
 
+  // Queues all launches once more.
   void replay(Queue&) {
     launches_();
   }

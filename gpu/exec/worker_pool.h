@@ -9,6 +9,7 @@
 
 namespace gw {
 
+// Its threads begin with it and end with it.
 class WorkerPool {
  public:
   // threads counts the caller too; 0 takes one per processor that this process may use. At most 256.
@@ -17,6 +18,7 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
+  // One chunk of a run.
   using Chunk = void (*)(const void* context, uint32_t chunk);
 
   // Runs chunk(context, 0 .. chunks-1), each exactly once, and returns when all are done. The caller
@@ -26,6 +28,7 @@ class WorkerPool {
   // Workers stop spinning and sleep until the next run: call before handing the cores to a GL driver.
   void park() { spin_.store(false, std::memory_order_relaxed); }
 
+  // The caller counts too.
   uint32_t threads() const { return uint32_t(workers_.size()) + 1; }
 
  private:

@@ -9,14 +9,17 @@
 
 namespace gw::GW_DEVICE {
 
+// Positive infinity: the place of the dead.
 inline constexpr float kInfinity = __builtin_inff();
 
+// The bits of a float, as memory holds them.
 GW_FN uint32_t bitsOf(float value) {
   uint32_t bits;
   memcpy(&bits, &value, sizeof bits);
   return bits;
 }
 
+// The float with these bits.
 GW_FN float floatOf(uint32_t bits) {
   float value;
   memcpy(&value, &bits, sizeof value);
@@ -27,19 +30,24 @@ GW_FN float floatOf(uint32_t bits) {
 GW_FN float smaller(float a, float b) {
   return b < a ? b : a;
 }
+// As smaller().
 GW_FN float larger(float a, float b) {
   return a < b ? b : a;
 }
+// The value, but at least `low` and at most `high`; NaN stays NaN.
 GW_FN float clamp(float value, float low, float high) {
   return value < low ? low : (high < value ? high : value);
 }
+// Clears the sign bit: exact everywhere.
 GW_FN float magnitude(float value) {
   return fabsf(value);
-}  // clears the sign bit: exact everywhere
+}
 
+// The smaller of two whole numbers.
 GW_FN uint32_t smaller(uint32_t a, uint32_t b) {
   return b < a ? b : a;
 }
+// The larger of two whole numbers.
 GW_FN uint32_t larger(uint32_t a, uint32_t b) {
   return a < b ? b : a;
 }

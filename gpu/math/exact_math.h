@@ -14,11 +14,14 @@
 
 namespace gw::GW_DEVICE {
 
+// Half a turn, rad.
 inline constexpr float kPi = 3.14159265358979f;
+// A turn, rad.
 inline constexpr float kTwoPi = 6.28318530717959f;
 
+// Both of one angle.
 struct SineCosine {
-  float sine, cosine;
+  float sine, cosine;  // -1 .. 1
 };
 
 // Both at once, as every caller needs both. x in radians; NaN and |x| > 8192 count as +-8192.
@@ -40,9 +43,11 @@ GW_FN SineCosine sineCosine(float x) {
   return {turn & 2u ? -sine : sine, turn == 1u || turn == 2u ? -cosine : cosine};
 }
 
+// See sineCosine().
 GW_FN float sine(float x) {
   return sineCosine(x).sine;
 }
+// See sineCosine().
 GW_FN float cosine(float x) {
   return sineCosine(x).cosine;
 }
@@ -67,6 +72,7 @@ GW_FN float arcTangent2(float y, float x) {
   return y < 0.0f ? -angle : angle;
 }
 
+// e to the x, for x in -87 .. 87; outside it is that of the nearer end.
 GW_FN float exponential(float x) {
   const float limited = x >= -87.0f ? (x <= 87.0f ? x : 87.0f) : -87.0f;
   const float scaled = limited * 1.44269504088896f;  // 1 / ln 2
@@ -84,11 +90,12 @@ GW_FN float exponential(float x) {
   return series * floatOf(uint32_t(power + 127) << 23);
 }
 
-// The vector's length, and the vector of length one; a zero vector stays zero.
+// The vector's length.
 GW_FN float length(float x, float y) {
   return sqrtf(x * x + y * y);
 }
 
+// The vector of length one in the same direction; a zero vector stays zero.
 GW_FN Float2 normalised(float x, float y) {
   const float l = length(x, y);
   if (!(l > 0.0f)) return {0.0f, 0.0f};

@@ -8,11 +8,8 @@
 
 namespace gw::GW_DEVICE {
 
-// Units per physical unit, each a power of two, so that scaling is exact. What a term can reach before it
-// is clamped is 2^30 / scale.
-inline constexpr float kPushScale = 1048576.0f;   // 2^20 per m/s: clamps at 1024 m/s, resolves 1e-6 m/s
-inline constexpr float kSteerScale = 1048576.0f;  // 2^20 per m, or per unit vector: clamps at 1024, resolves 1e-6
-
+// The integer of one term. `scale` is units per physical unit, a power of two, so that scaling is exact: a term is
+// clamped at 2^30 / scale and resolves 1 / scale. NaN counts as 0.
 GW_FN int32_t fixedTerm(float value, float scale) {
   const float units = value * scale;
   if (!(units > -1073741824.0f)) return units != units ? 0 : -1073741824;
@@ -20,13 +17,16 @@ GW_FN int32_t fixedTerm(float value, float scale) {
   return int32_t(units);
 }
 
+// The sum of vectors. All of its calls take the same scale.
 struct FixedSum2 {
-  int64_t x = 0, y = 0;
+  int64_t x = 0, y = 0;  // units so far
 
+  // Adds one term.
   GW_MEMBER void add(float dx, float dy, float scale) {
     x += fixedTerm(dx, scale);
     y += fixedTerm(dy, scale);
   }
+  // The sum in physical units, rounded once.
   GW_MEMBER Float2 total(float scale) const { return {float(x) / scale, float(y) / scale}; }
 };
 

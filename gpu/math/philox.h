@@ -1,6 +1,6 @@
 // Philox4x32-10, the counter-based generator of Salmon, Moraes, Dror, Shaw: "Parallel random numbers: as
 // easy as 1, 2, 3" (SC'11). A number is a pure function of key and counter, so no draw depends on how many
-// others were made or by whom. Key: the seed. Counter: (tick, entity id, purpose, n).
+// others were made or by which thread. Key: the seed. Counter: (tick, entity id, purpose, n).
 #pragma once
 
 #include <gpuwars/device.h>
@@ -8,6 +8,7 @@
 
 namespace gw::GW_DEVICE {
 
+// Four independent numbers of 32 bits for each key and counter. Never fails.
 GW_FN Uint4 philox(uint64_t key, Uint4 counter) {
   uint32_t k0 = uint32_t(key), k1 = uint32_t(key >> 32);
   for (int round = 0; round < 10; ++round) {

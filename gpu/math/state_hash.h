@@ -18,9 +18,11 @@ GW_FN uint64_t mixed(uint64_t word) {
 // that the next one is an addition. Owners and fields up to 2^32 - 1.
 class WordHashes {
  public:
+  // Begins at the word (owner, field).
   GW_FN explicit WordHashes(uint32_t owner, uint32_t field = 0)
       : place_((uint64_t(owner) << 32 | field) * kApart + 0xD1B54A32D192ED03ull) {}
 
+  // The hash of the next word.
   GW_FN uint64_t next(uint64_t word) {
     const uint64_t hash = mixed((word + place_) ^ (place_ >> 29));
     place_ += kApart;

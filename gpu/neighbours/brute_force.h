@@ -9,10 +9,11 @@
 
 namespace gw::GW_DEVICE {
 
+// What kernels see, and the search. Copy it into a kernel by value.
 template <class CellT>
 struct BruteForce {
-  const CellT* cells;
-  uint32_t count;
+  const CellT* cells;  // [count], in any order
+  uint32_t count;      // of cells, the dead included
 
   // As RowGather::operator(); O(count) per query. Dead cells are passed over and not counted.
   template <class Visitor>
@@ -45,6 +46,7 @@ struct BruteForce {
     return tested;
   }
 };
+// Of cells that may be const.
 template <class CellT>
 BruteForce(CellT*, uint32_t) -> BruteForce<std::remove_const_t<CellT>>;
 

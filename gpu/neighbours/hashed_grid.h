@@ -22,6 +22,7 @@ GW_FN int32_t hashedBinAlong(float place, float perMetre) {
   return towardsZero - (float(towardsZero) > scaled ? 1 : 0);
 }
 
+// The hash of a bin, as published.
 GW_FN uint32_t bucketOf(int32_t x, int32_t y, int32_t z, uint32_t buckets) {
   return (uint32_t(x) * 92837111u ^ uint32_t(y) * 689287499u ^ uint32_t(z) * 283923481u) % buckets;
 }
@@ -32,8 +33,8 @@ struct HashedGather {
   const CellT* cells;     // [count], in any order
   const uint32_t* index;  // [count] of cells, by bucket, the dead last
   const uint32_t* begin;  // [count + 2] of each bucket
-  uint32_t count;
-  float perMetre;
+  uint32_t count;         // of cells, and of buckets
+  float perMetre;         // bins
 
   // As RowGather::operator(); O(bins met, up to all + their buckets).
   template <class Visitor>
@@ -102,6 +103,7 @@ struct HashedGather {
   }
 };
 
+// Its queue outlives it; the cells are the caller's.
 template <class CellT>
 class HashedGrid {
  public:
@@ -109,12 +111,13 @@ class HashedGrid {
   // binSize (m) above 0 and finite, else std::invalid_argument; best as large as the usual radius.
   HashedGrid(Queue& queue, uint32_t count, float binSize);
 
+  // The search; valid until the next maintain().
   HashedGather<CellT> view(const CellT* d_cells) const {
     return {d_cells, index_.data(), sort_.begin(), uint32_t(index_.size()), perMetre_};
   }
   size_t bytes() const { return sort_.bytes() + index_.size() * sizeof(uint32_t); }  // beyond the cells
 
-  // Upkeep after motion: the indexes anew. O(count).
+  // Upkeep after motion: rebuilds the indexes. O(count).
   void maintain(Queue& queue, const CellT* d_cells);
 
  private:

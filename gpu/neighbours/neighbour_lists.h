@@ -1,5 +1,5 @@
-// Everybody's neighbours, stored: for those who ask for the same ones several times, or hand them on. Who asks once
-// needs no lists: a visitor in a kernel reads and writes less.
+// The neighbours of every entity, stored: for code that reads them several times, or hands them on. Code that reads
+// once needs no lists: a visitor in a kernel reads and writes less.
 //
 //   id            0        1     2          begin()       0 2 3 6
 //   neighbours()  4 7      0     1 3 9      of id 2: neighbours()[3 .. 6)
@@ -88,6 +88,7 @@ struct FillListed {
   }
 };
 
+// The lists, with the memory to make them. Its queue outlives it.
 class NeighbourLists {
  public:
   NeighbourLists() = default;
@@ -96,14 +97,16 @@ class NeighbourLists {
 
   const uint32_t* begin() const { return begin_.data(); }            // [cells + 1], by id
   const uint32_t* neighbours() const { return neighbours_.data(); }  // [total()] ids
+  // Neighbours in all lists.
   uint32_t total() const { return total_; }
   // The same on the host. Wait for the queue.
   std::vector<uint32_t> downloadBegin() const { return begin_.download(); }
+  // [total()] ids.
   std::vector<uint32_t> downloadNeighbours() const;
   size_t bytes() const;  // of device memory held
 
-  // Lists who is within radius (m) of whom by any of the searches, whose cells these are. Waits for the queue. Throws
-  // std::invalid_argument when the radius is negative, infinite or not a number or d_cells is null, and
+  // Lists the pairs within radius (m) of each other by any of the searches, whose cells these are. Waits for the queue.
+  // Throws std::invalid_argument when the radius is negative, infinite or not a number or d_cells is null, and
   // std::length_error, naming the total, when it is more than the capacity: then the lists stay as they were.
   template <class Search, class CellT>
   void build(Queue& queue, const Search& search, const CellT* d_cells, float radius) {

@@ -23,8 +23,10 @@ struct Bins {
   float low[3];       // m
   float perMetre;     // bins
   uint32_t count[3];  // along x, y, z
+  // Of all axes.
   uint32_t all() const { return count[0] * count[1] * count[2]; }
 
+  // The bin of a place along an axis.
   GW_MEMBER uint32_t along(uint32_t axis, float place) const {
     const float bin = (place - low[axis]) * perMetre;
     if (!(bin > 0.0f)) return 0;  // NaN too
@@ -35,6 +37,7 @@ struct Bins {
   GW_MEMBER uint32_t first(uint32_t axis, float place, float radius) const {
     return along(axis, place - radius - roundingOf(place, radius));
   }
+  // As first().
   GW_MEMBER uint32_t last(uint32_t axis, float place, float radius) const {
     return along(axis, place + radius + roundingOf(place, radius));
   }
@@ -46,6 +49,7 @@ struct Bins {
 // Bins of at least `size` (m) over the box from low to high, larger where there would be more than four times as many
 // as entities. Throws std::invalid_argument when a number is not finite, size is not positive or low is above high.
 Bins binsOver(Float2 low, Float2 high, float size, uint32_t entities);
+// The same in three dimensions.
 Bins binsOver(Float3 low, Float3 high, float size, uint32_t entities);
 
 // What kernels see, and the search. Copy it into a kernel by value.
@@ -53,7 +57,7 @@ template <class CellT>
 struct GridGather {
   const CellT* cells;     // [count], by bins, the dead last
   const uint32_t* begin;  // [bins + 2] of each bin
-  Bins bins;
+  Bins bins;              // how space was cut
 
   // As RowGather::operator(); O(bins met) + the runs.
   template <class Visitor>
@@ -98,12 +102,15 @@ struct GridGather {
   }
 };
 
+// Its queue outlives it; the cells are the caller's.
 template <class CellT>
 class UniformGrid {
  public:
   UniformGrid() = default;
+  // For count cells, 1 to 2^31. Throws as Buffer does.
   UniformGrid(Queue& queue, uint32_t count, const Bins& bins);
 
+  // The search; valid until the next maintain().
   GridGather<CellT> view(const CellT* d_cells) const { return {d_cells, sort_.begin(), bins_}; }
   size_t bytes() const { return sort_.bytes() + before_.size() * sizeof(CellT); }  // beyond the cells
 

@@ -15,11 +15,11 @@
 // windowed gathering (window_gather.h); the exact gather of row_gather.h needs no N-radius.
 //
 // Upkeep after motion, from the thesis: maintain() sorts every line of each axis, transpose() only compares neighbours.
-// Our own, for exact gathers: pack() puts the entities into rows anew by counting, refresh() leaves them in
+// Our own, for exact gathers: pack() redistributes the entities into rows by counting, refresh() leaves them in
 // their rows. Two orders to start from: rebuild() and settle(). Ties are broken by the other axes, then by id, so
 // the order of a line is unique on every device.
 //
-// Whoever stands at x = +infinity is dead, whatever its other coordinates. Places are not NaN: quarantine() turns those
+// An entity at x = +infinity is dead, whatever its other coordinates. Places are not NaN: quarantine() turns those
 // that are into dead cells and counts them.
 #pragma once
 
@@ -36,6 +36,7 @@ namespace gw::GW_DEVICE {
 // See NGrid::rowsWidened().
 inline constexpr float kWorthRebuilding = 1.05f;
 
+// Of places along an axis.
 struct Interval {
   float low, high;  // m; +infinity and -infinity when nothing is in it
 };
@@ -71,22 +72,22 @@ inline constexpr uint32_t kPartsPerRow = 8;
 // What kernels see. Copy it into a kernel by value. A "line" here is a row of any slab: slab * rows + row.
 template <class CellT>
 struct NGridView {
-  const CellT* cells;  // [lines][columns]
-  uint32_t columns, rows, slabs;
+  const CellT* cells;             // [lines][columns]
+  uint32_t columns, rows, slabs;  // NGrid::dimensions()
   // Per line, of its living: y; z, in 3D only; how many.
-  const Interval *height, *depth;
-  const uint32_t* living;  // searches go without it: for whoever wants to know
+  const Interval *height, *depth;  // [lines]
+  const uint32_t* living;          // not used by searches; for reports
   // Per line, of its slab: the lowest y of this and later rows, the highest of this and earlier ones. Both ascend, so
   // the rows that can meet an interval follow each other.
   const Interval* reach;
-  const GridSlab* slab;  // [slabs]
-  const GridTotals* totals;
+  const GridSlab* slab;      // [slabs]
+  const GridTotals* totals;  // [1]
   // Where to begin, for each part of a line's x (the first column in it or a later one; at last the number of the
   // living), of a slab's y (the first row that reaches into it or beyond) and, in 3D only, of z (the same of slabs).
   const uint16_t* firstColumn;  // [lines][parts + 1]
   const uint16_t* firstRow;     // [slabs][rows * kPartsPerRow]
   const uint16_t* firstSlab;    // [slabs * kPartsPerRow]
-  uint32_t parts;
+  uint32_t parts;               // of x, of every line
   // Rows are in ascending x throughout, not only by parts.
   bool sorted;
 
@@ -103,6 +104,7 @@ struct NGridView {
 // too, which need about 24 bytes for each cell on cpu, 30 in 3D; on cuda about 35 and 51.
 enum class Kept { inPlace, packed };
 
+// What NGrid::report() counts.
 struct UpkeepReport {
   uint32_t misaligned;  // the living that stand before their predecessor on a line of any axis
   // Entities that the last pass has put into another cell; a swap moves two. None after settle(), nor after rebuild()
@@ -115,6 +117,13 @@ struct UpkeepReport {
 struct FindReach;  // ngrid_reach.h
 struct RowsFound;  // ngrid_rows.h
 
+// Keeps the caller's cells in order, and owns what searches need to know of the rows. d_cells and d_cellOf are device
+// addresses of the caller: they outlive every view and every launch that uses one. The queue outlives the grid.
+// Move-only.
+//
+// Errors: bad arguments are std::invalid_argument, a call out of order (pack() before rebuild()) std::logic_error, both
+// before anything is launched; no room is DeviceOutOfMemory on cuda, std::runtime_error on cpu; only the constructor,
+// rebuild(), steps() and quarantine() allocate. What fails on the device shows at the next call that waits (exec.h).
 template <class CellT>
 class NGrid {
  public:
@@ -122,7 +131,9 @@ class NGrid {
   // Throws std::invalid_argument when a dimension is 0 or above kLongestLine, or their product 2^31 or more.
   NGrid(Queue& queue, NDimensions dimensions, Kept kept = Kept::inPlace);
 
+  // As it was made with.
   NDimensions dimensions() const { return dimensions_; }
+  // What kernels see of the grid after the last upkeep; valid until the next, and while this lives.
   NGridView<CellT> view(const CellT* d_cells) const;
   size_t bytes() const;  // of device memory beyond the cells, held between calls
 
@@ -143,8 +154,8 @@ class NGrid {
   // them: for windowed gathers only.
   void transpose(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold = nullptr);
 
-  // Upkeep for exact gathers, of a packed grid: all entities into rows anew, by counting levels of y (in 3D first
-  // slabs by levels of z), each row put into parts of x. Nearly as good as rebuild(), for a fraction of its
+  // Upkeep for exact gathers, of a packed grid: redistributes all entities into rows, by counting levels of y (in 3D
+  // first slabs by levels of z), each row put into parts of x. Nearly as good as rebuild(), for a fraction of its
   // cost whatever has moved: O(n). Levels span what the living spanned after the upkeep before. Rows are in ascending
   // x by parts only. Follows a rebuild(), else throws std::logic_error. One launch and those of BinSort, in 3D of two.
   void pack(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);

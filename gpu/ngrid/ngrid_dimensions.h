@@ -15,11 +15,15 @@ inline constexpr uint32_t kLongestLine = 4096;
 // so few run at a time. The dimensions of recorded games depend on it.
 inline constexpr uint32_t kLongLine = 2048;
 
+// The cells along each axis.
 struct NDimensions {
   uint32_t columns = 0, rows = 0, slabs = 1;  // along x, y, z; in 2D one slab
 
+  // Rows of all slabs.
   uint32_t lines() const { return rows * slabs; }
+  // Their product.
   uint32_t cells() const { return columns * rows * slabs; }
+  // The same along every axis.
   bool operator==(const NDimensions&) const = default;
 };
 
@@ -41,7 +45,7 @@ NDimensions chooseWindowDimensions(uint32_t n, Float3 size);
 // The mean distance along each axis between neighbours on a line of that axis, both living; 0 along an axis with
 // none. What the thesis balances.
 struct Steps {
-  float along[3];
+  float along[3];  // m, of x, y, z
   // Whether the largest differs from the smallest, of those axes that have neighbours, by more than `share` of it.
   bool differBy(float share) const;
 };

@@ -16,10 +16,11 @@
 
 namespace gw::GW_DEVICE {
 
+// The search. Copy it into a kernel by value; it is valid as long as its view.
 template <class CellT>
 struct RowGather {
-  using Place = PlaceOf<CellT>;
-  NGridView<CellT> grid;
+  using Place = PlaceOf<CellT>;  // Float2 or Float3
+  NGridView<CellT> grid;         // NGrid::view()
 
   // Calls visit(cell, index, away) for each living neighbour of the place `at` within radius, away from it by
   // `away`; an entity that stands there itself is among them. Returns how many pair tests that took. The order
@@ -142,6 +143,7 @@ struct RowGather {
 
   static constexpr uint32_t kFew = 8;
 };
+// Of a view.
 template <class CellT>
 RowGather(NGridView<CellT>) -> RowGather<CellT>;
 

@@ -10,8 +10,8 @@
 //
 // Guarantees: what is visited passes isNeighbour(), so nothing that is no neighbour is ever found, and nothing
 // is found twice. It is *inexact*: a neighbour outside the window is missed; recall depends on how well the
-// lines are kept (docs/results/thesis-preset.md has figures). So the arrangement of the cells is felt, and is part
-// of the state of whatever is computed with it. Exact gathering is row_gather.h.
+// lines are kept (docs/results/thesis-preset.md has figures). So results depend on the arrangement of the cells,
+// which is part of the state of whatever is computed with it. Exact gathering is row_gather.h.
 //
 // In 3D poles are looked along as columns are. Both need only the cells, not what maintain() knows of the rows: any
 // upkeep will do, and so will none. Results are the same on every device and in any order of visits. An asker stands in
@@ -25,12 +25,12 @@ namespace gw::GW_DEVICE {
 
 // Cells from `first` to `last`, both included, along each axis.
 struct Window {
-  uint32_t firstColumn, lastColumn, firstRow, lastRow, firstSlab, lastSlab;
+  uint32_t firstColumn, lastColumn, firstRow, lastRow, firstSlab, lastSlab;  // slabs: 0 in 2D
 };
 
 // Cells to look at in each direction, one number per axis (the thesis's property 7).
 struct NRadius {
-  uint32_t x = 4, y = 4, z = 4;
+  uint32_t x = 4, y = 4, z = 4;  // cells
 };
 
 // Visits the neighbours of `at` in the window that stand in cell `begin` or later; returns pair tests. The
@@ -55,12 +55,12 @@ GW_MEMBER uint32_t visitWindow(const NGridView<CellT>& grid, const Window& windo
 }
 
 // The extended Moore neighbourhood: up to nRadius cells away along each axis, cut off at the grid's edges.
-// Symmetric: whom I see sees me at the same radius. O(product of 2 nRadius + 1) per query whatever the radius, which is
-// why recall falls when more neighbours lie within it than fit into the window.
+// Symmetric: a pair finds each other at the same radius or not at all. O(product of 2 nRadius + 1) per query whatever
+// the radius, which is why recall falls when more neighbours lie within it than fit into the window.
 template <class CellT>
 struct FixedGather {
-  NGridView<CellT> grid;
-  NRadius nRadius{};  // four, the thesis's
+  NGridView<CellT> grid;  // NGrid::view()
+  NRadius nRadius{};      // four, the thesis's
 
   // Calls visit(cell, index, away) for each neighbour found of `at`, the place of the asker in cell
   // `index`, itself included. Returns pair tests. The order of visits must not matter. radius in [0, infinity].
@@ -84,6 +84,7 @@ struct FixedGather {
             slab - smaller(slab, nRadius.z),     slab + smaller(grid.slabs - 1 - slab, nRadius.z)};
   }
 };
+// Of a view, with an N-radius or without.
 template <class CellT, class... Rest>
 FixedGather(NGridView<CellT>, Rest...) -> FixedGather<CellT>;
 
@@ -94,7 +95,7 @@ FixedGather(NGridView<CellT>, Rest...) -> FixedGather<CellT>;
 // at worst, when all stand within the radius.
 template <class CellT>
 struct AdaptiveGather {
-  NGridView<CellT> grid;
+  NGridView<CellT> grid;  // NGrid::view()
 
   // As FixedGather.
   template <class Visitor>
@@ -102,6 +103,7 @@ struct AdaptiveGather {
     return visitWindow(grid, windowOf(index, at, radius), 0, at, radius, visit);
   }
 
+  // As FixedGather.
   template <class Visitor>
   GW_MEMBER uint32_t after(uint32_t index, PlaceOf<CellT> at, float radius, Visitor&& visit) const {
     return visitWindow(grid, windowOf(index, at, radius), index + 1, at, radius, visit);
@@ -130,6 +132,7 @@ struct AdaptiveGather {
     return w;
   }
 };
+// Of a view.
 template <class CellT>
 AdaptiveGather(NGridView<CellT>) -> AdaptiveGather<CellT>;
 

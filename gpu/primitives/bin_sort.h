@@ -72,6 +72,7 @@ struct ScatterSlice {
 
 #endif
 
+// The sort, with the memory that it works in. Its queue outlives it.
 class BinSort {
  public:
   BinSort() = default;
@@ -80,6 +81,7 @@ class BinSort {
 
   // [bins + 1] where each bin begins in the order; the last is count. Written by run(), when wanted.
   const uint32_t* begin() const { return begin_.data(); }
+  // As it was made for.
   uint32_t bins() const { return bins_; }
   size_t bytes() const;  // of device memory held
 

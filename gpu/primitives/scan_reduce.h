@@ -13,21 +13,28 @@
 
 namespace gw::GW_DEVICE {
 
+// What kernels read. Copy it into a kernel by value.
 struct ScanView {
   const uint64_t* within;        // [count] sum of the earlier items of the block
   const uint64_t* before_block;  // [blocks + 1] sum of the earlier blocks; the last one is the total
-  uint32_t blocks;
+  uint32_t blocks;               // of kScanBlock items, the last one begun
 
+  // The sum of all words before i, for i below count.
   GW_MEMBER uint64_t before(uint32_t i) const { return within[i] + before_block[i / kScanBlock]; }
+  // The sum of all words.
   GW_MEMBER uint64_t total() const { return before_block[blocks]; }
 };
 
+// Its queue outlives it.
 class Scan {
  public:
   Scan() = default;
+  // Room for count words. Throws as Buffer does.
   Scan(Queue& queue, uint32_t count);
 
+  // Of the last run(); valid while this lives.
   ScanView view() const;
+  // As it was made for.
   uint32_t count() const { return count_; }
 
   // Of source(0) ... source(count - 1), each asked for once; leaves the result behind view(). Two launches, O(count).
@@ -51,7 +58,9 @@ class Scan {
 class Reduce {
  public:
   Reduce() = default;
+  // Room for count words. Throws as Buffer does.
   Reduce(Queue& queue, uint32_t count);
+  // d_in is [count]; both are device addresses.
   void run(Queue& queue, const uint64_t* d_in, uint64_t* d_sum);
 
  private:

@@ -9,13 +9,15 @@
 
 namespace gw::GW_DEVICE {
 
+// The keys and the memory that sorting takes. Its queue outlives it.
 class SortKeys {
  public:
   SortKeys() = default;
+  // Room for count keys. Throws as Buffer does.
   SortKeys(Queue& queue, uint32_t count);
 
-  // [count] filled by the caller, sorted by run(), which may leave them in another buffer: ask again after it. Whoever
-  // captures a run fills and reads in the same capture.
+  // [count] filled by the caller, sorted by run(), which may leave them in another buffer: ask again after it. Code
+  // that captures a run fills and reads in the same capture.
   uint64_t* keys() const { return keys_.data(); }
   // Compares bits firstBit .. endBit - 1, 0 <= firstBit < endBit <= 64; keys equal in these keep their order. O(count)
   // per digit.

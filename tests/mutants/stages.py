@@ -1,4 +1,4 @@
-"""In which stages of a tick a mutant is felt first, and the order in which mutants are taken to be localised."""
+"""In which stages of a tick a mutant has its first effect, and the order in which mutants are taken to be localised."""
 
 import mutations  # noqa: F401  makes the gates' modules known
 from kernel_files import key_of
@@ -18,6 +18,8 @@ FELT_IN = {
     "game/sim/behaviour_tricky.h": (("think",), "what think does in each state"),
     "game/sim/overlap.h": (("collide",), "how deep bodies overlap, for collide"),
     "game/sim/pushes.h": (("collide",), "the sums of collide's pushes"),
+    "game/sim/sum_scales.h": (("think", "collide"), "the scales of sums over neighbours: of headings in think, of pushes "
+                              "in collide"),
     "game/sim/sweep.h": (("collide",), "when bodies meet, for collide"),
     "game/sim/state.cu": (("integrate",), "sets, as a game begins, the speed that integrate allows"),
     "game/sim/rules.h": (("logic", "think", "integrate", "collide"),
@@ -29,14 +31,14 @@ FELT_IN = {
 
 
 def stages_of(file):
-    """The stages one of which must be named; raises ValueError for a file of which nobody has said it."""
+    """The stages one of which must be named; raises ValueError for a file that FELT_IN does not list."""
     file = key_of(file)
     if file in FELT_IN:
         return FELT_IN[file][0]
     folder, _, name = file.rpartition("/")
     stage = name.removesuffix(".cu")
     if folder != "game/sim" or stage not in STAGES:
-        raise ValueError(f"Nobody has said in which stage a change of {file} is felt first: add it to FELT_IN in "
+        raise ValueError(f"The stage in which a change of {file} has its first effect is unknown: add it to FELT_IN in "
                          "tests/mutants/stages.py, with the reason.")
     return (stage,)
 

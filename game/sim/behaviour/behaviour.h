@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/sim/state.h"
+#include "game/sim/sum_scales.h"
 #include "gpu/math/exact_math.h"
 #include "gpu/math/fixed_sum.h"
 #include "gpu/math/philox.h"

@@ -1,6 +1,7 @@
 // What pushes one body, summed so that neither the order nor the device is felt.
 #pragma once
 
+#include "game/sim/sum_scales.h"
 #include "gpu/math/fixed_sum.h"
 
 namespace gw::GW_DEVICE {

@@ -44,7 +44,7 @@ class BlockLines {
   GW_BODY static uint32_t lineOf(uint32_t length) { return threadIdx.x * kEach / LineTeamT::stretchOf(length); }
 
   // A lane's line: cells first[0], first[toNext], ...; length 0 for lanes that have none. `longest` is what the lines
-  // of the block are said to have.
+  // of the block are assumed to have.
   GW_BODY BlockLines(Shared& shared, const CellT* d_first, uint32_t length, uint32_t toNext, uint32_t longest)
       : s(shared),
         from(d_first),
@@ -90,7 +90,7 @@ class BlockLines {
     take([&](uint32_t e) { return uint16_t(key[e] & ((1u << 13) - 1)); });
   }
 
-  // Calls visit(column, cell) for the lane's share of the line in order. By now nobody reads the line's cells any more,
+  // Calls visit(column, cell) for the lane's share of the line in order. By now the line's cells are no longer read,
   // so it may be written. What visit returns is told to neighbours: see note().
   template <class Visit>
   GW_BODY void forEach(const Visit& visit) const {

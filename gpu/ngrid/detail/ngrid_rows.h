@@ -20,7 +20,7 @@ struct RowsFound {
 
 GW_FN Scale scaleOf(Interval all, uint32_t parts) {
   const float width = all.high - all.low;
-  if (!(all.low < kInfinity)) return {0.0f, 0.0f};  // nobody lives
+  if (!(all.low < kInfinity)) return {0.0f, 0.0f};  // no live entity
   return {all.low, width > 0.0f ? float(int32_t(parts)) / width : 0.0f};
 }
 
