@@ -12,7 +12,7 @@ class HostBytes {
  public:
   HostBytes(Queue& queue, size_t bytes)
       : queue_(queue), h_data_(static_cast<unsigned char*>(allocateHostBytes(queue, bytes))) {
-    std::fill_n(h_data_, bytes, static_cast<unsigned char>(1));  // pages that nobody has touched are not there yet
+    std::fill_n(h_data_, bytes, static_cast<unsigned char>(1));  // untouched pages are not mapped yet
   }
   ~HostBytes() { releaseHostBytes(queue_, h_data_); }
   HostBytes(const HostBytes&) = delete;

@@ -1,4 +1,4 @@
-// How long going to a tick of a replay takes, as whoever watches feels it:
+// How long going to a tick of a replay takes, as a viewer waits for it:
 //
 //   gw_bench_replay_seeks FILE [SEEKS]     random ticks (40), after the scout has been through; seconds on stdout
 #include <time.h>

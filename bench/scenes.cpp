@@ -28,7 +28,7 @@ SimulationConfig configFor(uint32_t enemies, uint32_t threads, Scene scene, cons
   config.enemies = enemies;
   config.threads = threads;
   const bool mixed = scene == Scene::mixed || scene == Scene::horde;
-  if (mixed) config.mode = Mode::swarm;  // brings them all in its first tick, and nobody after
+  if (mixed) config.mode = Mode::swarm;  // brings them all in its first tick, and none after
   Rules& rules = config.rules;
   rules.waveCount = 0;
   rules.endless.from_ticks = ~0u;

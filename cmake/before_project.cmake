@@ -1,4 +1,4 @@
-# What must be said before CMake itself finds fault, in less helpful words.
+# Checks that must come before CMake's own, whose messages help less.
 if(CMAKE_VERSION VERSION_LESS 3.22)
   message(FATAL_ERROR "GpuWars needs CMake 3.22 or newer, and this is ${CMAKE_VERSION}: install a newer package cmake "
     "(Debian 12 and Ubuntu 22.04 have one), or the one of 'pip install cmake'.")

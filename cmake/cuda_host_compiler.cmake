@@ -6,7 +6,7 @@
 #   host: what `nvcc -ccbin` is to be told; empty: its own choice is fine, or nothing is
 #   math: whether CUDA files need cuda_math.h before all else, for a C library that is newer than nvcc
 #   why: empty when CUDA files compile, else one sentence with a remedy, without semicolons
-# Whoever set CMAKE_CUDA_HOST_COMPILER or CUDAHOSTCXX gets that one or a sentence about it.
+# If CMAKE_CUDA_HOST_COMPILER or CUDAHOSTCXX is set, that one is used, or a sentence says why not.
 function(gw_find_cuda_host_compiler nvcc host math why)
   gw_nvcc_release(${nvcc} release)
   set(found "${CMAKE_CUDA_HOST_COMPILER}")
@@ -109,7 +109,7 @@ endfunction()
 # One sentence about what nvcc said against a host compiler (empty: its own choice).
 function(gw_refusal_of_nvcc release host said sentence)
   if(release STREQUAL "")
-    set(${sentence} "nvcc does not start here: install the CUDA toolkit anew and build again" PARENT_SCOPE)
+    set(${sentence} "nvcc does not start here: reinstall the CUDA toolkit and build again" PARENT_SCOPE)
     return()
   endif()
   set(command g++)

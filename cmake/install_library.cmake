@@ -26,7 +26,7 @@ install(FILES ${PROJECT_BINARY_DIR}/package/gpuwarsConfig.cmake ${PROJECT_BINARY
   ${PROJECT_SOURCE_DIR}/cmake/cuda_math.h ${PROJECT_SOURCE_DIR}/cmake/gw_add_kernels.cmake
   DESTINATION ${gw_package_folder} COMPONENT gpu)
 
-# For whoever builds without CMake. The prefix is found from where the file lies, so that the folder may be moved.
+# For builds without CMake. The prefix is found from where the file lies, so that the folder may be moved.
 set(gw_pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 if(IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})
   set(gw_pc_prefix ${CMAKE_INSTALL_PREFIX})

@@ -167,7 +167,7 @@ std::string whyNotShared() {
 
 template <class Vertex>
 CudaStream<Vertex> makeCudaStream(uint32_t capacity, Sharing sharing) {
-  std::string why = sharing == Sharing::never ? "nobody asked for it" : whyNotShared();
+  std::string why = sharing == Sharing::never ? "it was not asked for" : whyNotShared();
   if (why.empty()) return {std::make_unique<SharedStream<Vertex>>(capacity), true, ""};
   return {std::make_unique<CopiedStream<Vertex>>(capacity), false, std::move(why)};
 }

@@ -92,7 +92,7 @@ class MappedResource {
     return d_address;
   }
 
-  // The destructor does the same, but tells nobody when it fails.
+  // The destructor does the same, but does not report a failure.
   void unmap() {
     check(cudaGraphicsUnmapResources(1, &resource_, stream_), "handing over the sprites");
     mapped_ = false;

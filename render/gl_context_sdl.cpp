@@ -24,7 +24,7 @@ class SdlVideo {
  public:
   SdlVideo() {
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) throw displayError("No display to open a window on");
-    // Without a display SDL quietly takes a driver whose windows nobody sees. Tests ask for it by name.
+    // Without a display SDL quietly takes a driver whose windows are not shown. Tests ask for it by name.
     if (std::strcmp(SDL_GetCurrentVideoDriver(), "offscreen") == 0 && std::getenv("SDL_VIDEODRIVER") == nullptr) {
       SDL_QuitSubSystem(SDL_INIT_VIDEO);
       SDL_SetError("neither X nor Wayland answers");

@@ -26,7 +26,7 @@ class SdlContext : public GlContext {
   virtual void setFullscreen(bool on) = 0;
   virtual bool fullscreen() const = 0;
 
-  // Minimised or taken from the screen: nobody sees what would be drawn.
+  // Minimised or hidden: a picture would not be seen.
   virtual bool hidden() const = 0;
 
   // The pointer cannot leave the window while it has the focus.
@@ -39,7 +39,7 @@ class SdlContext : public GlContext {
   virtual bool verticalSync() const = 0;
 };
 
-// Starts SDL's video when nobody has. Throws std::runtime_error when there is no display or no OpenGL 4.5.
+// Starts SDL's video unless it is running. Throws std::runtime_error when there is no display or no OpenGL 4.5.
 std::unique_ptr<SdlContext> makeSdlContext(const WindowOptions& options);
 
 }  // namespace gw

@@ -1,5 +1,5 @@
 // Environment variables by which users and other programs choose an OpenGL driver, or hold one back. Where one is set
-// and no OpenGL 4.5 comes, it is the likely cause, and to install a driver would help nobody.
+// and no OpenGL 4.5 comes, it is the likely cause, and installing a driver would not help.
 #pragma once
 
 #include <functional>

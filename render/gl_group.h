@@ -1,5 +1,5 @@
 // A name around the GL calls of a pass, so that RenderDoc, Nsight and debug messages show passes by name. Costs nothing
-// worth measuring when nobody looks. In core since OpenGL 4.3, so every context of ours has it.
+// worth measuring without a debugger attached. In core since OpenGL 4.3, so every context of ours has it.
 #pragma once
 
 namespace gw {

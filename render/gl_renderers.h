@@ -1,4 +1,4 @@
-// Everything that could draw without a display here, for whoever wants to know (gpuwars devices).
+// Everything that could draw without a display here, for `gpuwars devices`.
 #pragma once
 
 #include <optional>

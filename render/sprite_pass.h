@@ -19,7 +19,7 @@ struct SpriteFrame {
   float alpha = 1;   // 0: the previous tick's places, 1: the current ones
   float tick = 0;    // ticks so far, for the blink of the untouchable ship
   float glow = kGlowLow;
-  bool flashes = true;   // off: damage and blinking are shown by steady light, for those whom flashes hurt
+  bool flashes = true;   // off: damage and blinking are shown by steady light, for photosensitive players
   float brightness = 1;  // of all sprites; less behind menus
 };
 

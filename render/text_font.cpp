@@ -28,7 +28,7 @@ constexpr int kMostAtlas_px = 8192;
                            "): put it back from the GpuWars package, or make it again with tools/make_font.py.");
 }
 
-// A file beside the metrics: nothing of another folder, nothing that cannot be said on a line.
+// A file beside the metrics: nothing of another folder, nothing that does not fit on a line.
 bool isPlainName(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||

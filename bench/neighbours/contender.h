@@ -20,12 +20,12 @@ class Contender {
   virtual void start(const std::vector<CellT>& byId) = 0;  // construction, from an arbitrary arrangement
   virtual void move(const std::vector<CellT>& byId) = 0;   // new places; not timed
   virtual void maintain() = 0;                             // upkeep after motion
-  virtual void gather() = 0;                               // counts everybody's neighbours
+  virtual void gather() = 0;                               // counts the neighbours of every entity
   // Searches for one in so many only: to see how long gather() would take. Nothing where that is never too long.
   virtual void probe(uint32_t /*every*/) {}
   virtual void synchronise() = 0;              // waits until all that was asked for is done
   virtual std::vector<uint32_t> counts() = 0;  // by id, of the last gather(); each counts itself
-  // By id: the hashes of whom each finds, added up, by a search of its own. Empty where a way only counts.
+  // By id: the hashes of the neighbours each finds, added up, by a search of its own. Empty where a way only counts.
   virtual std::vector<uint64_t> identities() { return {}; }
   virtual uint64_t candidates() = 0;  // pair tests of one gather
   // How many entities stand before their predecessor on a line of the structure; none where there are no lines.
@@ -33,7 +33,7 @@ class Contender {
   virtual size_t bytes() const = 0;  // of memory beyond the array of entities
 };
 
-// What all structures may know beforehand: where everybody stays, and how far they look.
+// What all structures may know in advance: the bounds of all positions, and the radius.
 struct Place {
   float world[3];
   float radius;

@@ -21,7 +21,7 @@ inline constexpr const char* kDistributions[] = {"uniform", "clusters", "swarm",
 // About so many others within the radius of each, on average.
 inline constexpr double kNeighbours = 20.0;
 
-// CellT is Cell or Cell3. Everybody flies straight on and bounces off the world's walls.
+// CellT is Cell or Cell3. Every entity flies straight on and bounces off the world's walls.
 template <class CellT>
 struct Crowd {
   std::vector<CellT> byId;
@@ -30,7 +30,7 @@ struct Crowd {
   double neighbours = 0.0;  // the mean number really found at the start
 
   Crowd(uint32_t n, Distribution distribution, uint64_t seed);
-  // One frame: everybody by `radii` times the radius.
+  // One frame: every entity by `radii` times the radius.
   void step(float radii);
 
  private:

@@ -231,7 +231,7 @@ void drawWindow(const std::string& path, const Picture& of, KeptGrid& kept, cons
              });
 }
 
-// Near the middle, and typical: as many neighbours as usual, and both windows miss somebody.
+// Near the middle, and typical: as many neighbours as usual, and both windows miss a neighbour.
 Cell chooseAsker(const Picture& of, KeptGrid& kept) {
   Cell best{};
   float nearest = kInfinity;
@@ -255,7 +255,7 @@ Cell chooseAsker(const Picture& of, KeptGrid& kept) {
       best = cell;
     }
   });
-  if (nearest == kInfinity) throw std::runtime_error("Nobody is typical; choose another crowd.");
+  if (nearest == kInfinity) throw std::runtime_error("No entity is typical; choose another crowd.");
   return best;
 }
 

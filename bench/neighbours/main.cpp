@@ -5,7 +5,7 @@
 //
 // One run: in each frame all ways are handed the same places and take turns, so that drift of the machine meets all
 // alike. Figures are typical milliseconds that passed: see typical(). What is missed is counted against the first
-// exact way; a run fails when two exact ways disagree about anybody.
+// exact way; a run fails when two exact ways find different neighbours.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -285,7 +285,7 @@ int main(int argc, char** argv) {
   app.add_option("--crowd-steps", wanted.crowdSteps, "instead: walk a crowd so many steps by every way, compare places")
       ->check(CLI::Range(0, 1000000));
   app.add_flag("--hash", wanted.hash,
-               "also print a hash of whom each way found in every tenth frame; all frames are played then");
+               "also print a hash of what each way found in every tenth frame; all frames are played then");
   app.add_option("--out", wanted.out);
   app.add_option("--csv", wanted.csv);
   CLI11_PARSE(app, argc, argv);

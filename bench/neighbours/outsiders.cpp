@@ -37,7 +37,7 @@ bool near(const CellT& a, const CellT& b, float radius) {
   return within && sum <= radius * radius;
 }
 
-// Everybody asks on the pool, a chunk at a time.
+// All queries run on the pool, a chunk at a time.
 template <class CellT>
 class Outsider : public Contender<CellT> {
  public:

@@ -92,7 +92,7 @@ void walk(uint32_t n, Distribution distribution, uint32_t steps, uint32_t thread
     if (w == 0 || (isAsked(ways[w], only) && !tooSlow)) join(ways[w], w, crowd.byId);
   }
   // Whatever is different at first grows by itself. How much of an error that is shows the same exact walk, begun as
-  // little aside as missed neighbours put somebody in the first steps.
+  // little aside as missed neighbours put a walker in the first steps.
   std::vector<CellT> aside = crowd.byId;
   for (CellT& cell : aside) cell.x += (cell.id % 2 == 0 ? 1e-3f : -1e-3f) * r;
   join({"(grid, begun 0.001 r aside)", false, kAny}, 0, aside);

@@ -1,4 +1,4 @@
-// A crowd that walks by a rule in which neighbours are felt, so that those who are missed change where everybody ends.
+// A crowd that walks by a rule that depends on neighbours, so that missed ones change where the walkers end.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@
 
 namespace gw::bench {
 
-// Everybody has a goal and is pushed by whoever is within the radius.
+// Every walker has a goal and is pushed by all others within the radius.
 struct WalkRule {
   float radius;      // m
   float step_s;      // of time that one step takes
-  float speed_mps;   // that everybody wants to walk at, and at most half as much again
+  float speed_mps;   // the wanted speed, and at most half as much again
   float reaction_s;  // in which a velocity turns into the wanted one
   float push_mps2;   // of a neighbour that stands in the same place; falls to none at the radius
 };

@@ -5,7 +5,7 @@
 #   LIBDIR/gpuwars/glibc-hwcaps/x86-64-v3/libgpuwars-cpu.so    those with AVX2
 #
 # Not two sets of objects in one program: the linker keeps one copy of each inline function and template, of whichever
-# set, and an old processor would meet AVX2 where nobody chose it. A library keeps all its own to itself: the version
+# set, and an old processor would meet AVX2 that it does not have. A library keeps all its own to itself: the version
 # script exports the seam alone (the visibility flags of the compiler do not reach templates of std).
 set(gw_kernel_levels "")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
@@ -44,7 +44,7 @@ foreach(level IN LISTS gw_kernel_levels)
   gw_place_kernels(gw_cpu_kernels_${level} /glibc-hwcaps/${level})
 endforeach()
 
-# Whoever links gw_sim gets the static kernels, unless it has the property GW_SHARED_KERNELS.
+# A target that links gw_sim gets the static kernels, unless it has the property GW_SHARED_KERNELS.
 get_target_property(links gw_sim INTERFACE_LINK_LIBRARIES)
 list(REMOVE_ITEM links gw_sim_cpu)
 set(shared $<BOOL:$<TARGET_PROPERTY:GW_SHARED_KERNELS>>)

@@ -1,4 +1,4 @@
-// A crowd in a square. In each step everybody is pushed away by everybody who stands nearer than a metre.
+// A crowd in a square. In each step every walker is pushed away by all others nearer than a metre.
 //
 //   upkeep       the grid brings the cells back into order, for they have moved
 //   push         one item, one cell: its neighbours, each through a visitor
@@ -25,8 +25,8 @@ constexpr float kSide_m = 50.0f, kRoom_m = 1.0f;
 constexpr float kShare = 0.25f;            // of an overlap that one step takes from each side
 constexpr float kUnitsPerMetre = 0x1p20f;  // of the integer sums; a power of two
 
-// The direction in which somebody leaves another in the same place, who leaves in the opposite one. It comes from both
-// ids: a fixed direction would keep all who started in one place on one line for ever.
+// The direction in which a walker leaves another in the same place, which leaves in the opposite one. It comes from
+// both ids: a fixed direction would keep all who started in one place on one line for ever.
 GW_FN Float2 partingOf(uint32_t id, uint32_t other) {
   const bool first = id < other;
   const Uint4 random = philox(2, {first ? id : other, first ? other : id, 0, 0});
@@ -34,7 +34,7 @@ GW_FN Float2 partingOf(uint32_t id, uint32_t other) {
   return first ? Float2{angle.cosine, angle.sine} : Float2{-angle.cosine, -angle.sine};
 }
 
-// One item: one cell. Cells that fill the last row are dead, and push nobody.
+// One item: one cell. Cells that fill the last row are dead, and push no one.
 struct Push {
   Float2* pushes_m;  // by id
   RowGather<Cell> search;

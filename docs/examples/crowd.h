@@ -8,8 +8,8 @@
 enum class Start { scattered, together };  // at random in the square; all in its centre
 
 struct CrowdReport {
-  uint64_t hash;                 // of where everybody stands
-  float closest_m, loneliest_m;  // the smallest and the largest distance from anybody to the nearest other
+  uint64_t hash;                 // of all positions
+  float closest_m, loneliest_m;  // the smallest and the largest distance from any walker to the nearest other
   float spreadX_m, spreadY_m;    // the standard deviation of places
 };
 

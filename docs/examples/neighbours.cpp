@@ -1,4 +1,4 @@
-// Who is near whom: 1,000 points at random in a square, each of them asks for all others within 3 m.
+// Neighbours of points: 1,000 points at random in a square, each of them asks for all others within 3 m.
 // Prints a line per point: id, x, y, then the ids of its neighbours.
 #include <gpuwars/neighbour_lists.h>
 #include <gpuwars/philox.h>

@@ -95,8 +95,7 @@ void checkProfile(const Options& o) {
   }
   if (o.ticks != 0 && o.seconds != 0) refuse("'--ticks' and '--seconds' both name the length of a run; leave out one");
   if (o.headless && o.drawNothing) refuse("'--no-draw' needs no '--headless'; leave out one of the two");
-  if (o.drawNothing && o.paced)
-    refuse("'--paced' waits for what nobody sees with '--no-draw'; leave out one of the two");
+  if (o.drawNothing && o.paced) refuse("'--paced' has no effect with '--no-draw'; leave out one of the two");
   if (o.drawNothing && o.scene == profile::SceneKind::menu) refuse("'--scene menu' is drawn; leave out '--no-draw'");
   if (!o.compare.empty() && o.broadPhase != BroadPhase::ngrid) {
     refuse("'--compare' names the broad phases; leave '--broad-phase' out");

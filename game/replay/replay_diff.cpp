@@ -7,7 +7,7 @@ namespace gw {
 namespace {
 
 constexpr const char* kModes[] = {"arcade", "deadline", "swarm", "practice"};
-constexpr const char* kAutopilots[] = {"nobody", "novice", "expert"};
+constexpr const char* kAutopilots[] = {"none", "novice", "expert"};
 constexpr const char* kGathers[] = {"exact", "adaptive", "fixed"};
 constexpr const char* kSorts[] = {"bitonic", "odd-even"};
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which compiler nvcc is given for the host's part, and what is said when it takes none: with an nvcc and compilers that
+"""Which compiler nvcc is given for the host's part, and which message comes when it takes none: with an nvcc and compilers that
 only say what real ones say, and a limit of g++ 15 and clang 20 as nvcc 13.0 has.
 
     cuda_host_compiler_test.py SOURCE FOLDER

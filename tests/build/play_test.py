@@ -92,7 +92,7 @@ def check_what_is_built(failures, checkout):
 
     def configured(why):
         _, log = checkout.play("devices")
-        failures.check("-S ." in log, f"{why} configures anew: {log}")
+        failures.check("-S ." in log, f"{why} configures again: {log}")
         _, log = checkout.play("devices")
         failures.check("-S ." not in log, f"and once only: {log}")
 

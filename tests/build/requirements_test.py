@@ -38,7 +38,7 @@ class Tree:
                         'message("${said}")\n')
 
     def configure(self, *options, game=False):
-        """(exit status, what was said, on one line) of configuring this project."""
+        """(exit status, output on one line) of configuring this project."""
         build = self.folder / "build"
         shutil.rmtree(build, ignore_errors=True)
         parts = [] if game else ["-DGW_GAME=OFF", "-DGW_TESTS=OFF"]

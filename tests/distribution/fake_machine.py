@@ -1,5 +1,5 @@
 #!/usr/bin/env -S python3 -S -E
-"""debootstrap and chroot as the test of tests/distributions puts them on PATH, for which nobody needs root's rights.
+"""debootstrap and chroot as the test of tests/distributions puts them on PATH, which need no root's rights.
 
 A fake root is an ordinary folder, and what runs "in" it is answered here. BREAK="SUITE WHAT" breaks one thing.
 """

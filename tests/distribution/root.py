@@ -10,7 +10,7 @@ from mirror import proxies
 
 HERE = Path(__file__).resolve().parent
 ARCHITECTURE = "amd64"
-ROOT_DAYS = 14  # older ones are made anew: a testing release moves on
+ROOT_DAYS = 14  # older ones are rebuilt: a testing release moves on
 APART = ("unshare", "--mount", "--pid", "--fork", "--kill-child=KILL", "--")  # what is mounted ends with the command
 APT_INSTALL = ("env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "install", "-y", "-q", "--no-install-recommends")
 RESULTS = "var/tmp/distributions"  # in a root: what steps write for this side to read
@@ -143,5 +143,5 @@ class Root:
 
 
 def remove(folder):
-    """Whatever somebody has mounted in it stays."""
+    """What is mounted in it stays."""
     subprocess.run(["rm", "-rf", "--one-file-system", folder], check=True)

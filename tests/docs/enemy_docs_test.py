@@ -41,7 +41,7 @@ with tempfile.TemporaryDirectory() as folder:
                            text=True, check=False)
     want(table.read_text() != text and check.returncode == 1, "a faster triangle makes the page stale")
     want("docs/reference/enemies.md is not what the tables say; run tools/make_enemy_docs.py" in check.stderr,
-         "and what refreshes it is said")
+         "and the message names what refreshes it")
 
 machines = json.loads(subprocess.run([describe, assets], stdout=subprocess.PIPE, check=True).stdout)["machines"]
 for machine, rows in machines.items():

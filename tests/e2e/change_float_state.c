@@ -1,6 +1,6 @@
 // Preloaded, it leaves threads in another floating-point state, as libraries that were linked with -ffast-math do.
-// GW_FLOAT_BITS: what it adds to MXCSR or FPCR. GW_FLOAT_WHERE: "start" (the first thread, before main), "threads" (each
-// one too, as it begins), "always" (also whoever looks at the clock).
+// GW_FLOAT_BITS: what it adds to MXCSR or FPCR. GW_FLOAT_WHERE: "start" (the first thread, before main), "threads"
+// (each one too, as it begins), "always" (also when a thread reads the clock).
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <pthread.h>

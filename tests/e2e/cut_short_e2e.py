@@ -97,7 +97,7 @@ def main():
                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=300, check=False)
     said = limited.stderr.decode()
     failures.check(limited.returncode == FILE and len(said.splitlines()) == 1 and "gpuwars trim" in said,
-                   f"a full disk is said at the end of the run: {limited.returncode} {said!r}")
+                   f"a full disk is reported at the end of the run: {limited.returncode} {said!r}")
     accepted("what was written before is not lost", "trim", parts(full)[0], "--out", full, "--device", "cpu")
     accepted("and is whole", "verify", full, "--device", "cpu")
 

@@ -64,7 +64,7 @@ def main():
     program, library, replays, folder = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]), Path(sys.argv[4])
     states = STATES.get(platform.machine())
     if states is None:
-        skip(f"nobody says here what a floating-point state is on {platform.machine()}")
+        skip(f"this test does not know the floating-point state of {platform.machine()}")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     failures = Failures()

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from program import Failures, run
 
-# Few enemies, so that the whole run takes seconds. Nobody plays where the end comes by itself.
+# Few enemies, so that the whole run takes seconds. No input where the end comes by itself.
 CASES = (
     ("arcade", "under 12.0 FPS", "frame_rate", ("--enemies", 64, "--ticks", 20000)),
     ("arcade", "not over", "none", ("--enemies", 64, "--ticks", 60)),

@@ -65,7 +65,7 @@ def recordings(runs, failures):
         child.send_signal(how)
         stdout, _ = runs.ended(f"a recording, {how.name}", child, 128 + how)
         failures.check("(interrupted)" in stdout and run(runs.program, "verify", target, "--device", "cpu")[0] == FINE,
-                       "is said, and is whole")
+                       "is reported, and is whole")
     out = runs.folder / "trimmed.gwr"
     child = runs.start("trim", LONG, "--out", out, "--device", "cpu")
     time.sleep(1)
@@ -86,7 +86,7 @@ def reports(runs, failures):
         failures.check(report["setup"]["interrupted"] and "Interrupted after" in stdout and rows % 240 == 1 and rows > 1,
                        f"leaves a report, and {rows} rows of frames")
 
-    # nohup: nobody's terminal matters. A run that ends by itself ends well.
+    # nohup: no terminal matters. A run that ends by itself ends well.
     out = runs.folder / "nohup"
     arguments = [*runs.profile(out)]
     arguments[arguments.index(1000)] = 20
@@ -96,7 +96,7 @@ def reports(runs, failures):
     runs.ended("a session under nohup", child, FINE)
     failures.check(not json.loads((out / "report.json").read_text())["setup"]["interrupted"], "goes on to its end")
 
-    # A terminal that is closed: the system sends the signal, and there is nobody left to talk to.
+    # A terminal that is closed: the system sends the signal, and no terminal is left to write to.
     out = runs.folder / "terminal"
     child, terminal = pty.fork()
     if child == 0:

@@ -188,7 +188,7 @@ def play_inexactly(program, screen, folder, failures):
 
 
 def look_at_a_small_window(program, screen, failures):
-    """For whoever looks at the pictures."""
+    """For a look at the pictures."""
     window = Window(program, screen, failures, "--mode", "swarm", "--enemies", 2500, "--seed", 5, "--autopilot", "expert",
                     "--width", 800, "--height", 600)
     try:

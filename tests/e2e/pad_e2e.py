@@ -91,7 +91,7 @@ def main():
         press("b")
         time.sleep(1)
         failures.check(game.poll() is None and recording.is_file(), "B in the pause leads to the title")
-        pad("button b 1")  # and nobody is there to see it let go
+        pad("button b 1")  # and it is let go unseen
         _, stderr = game.communicate(timeout=30)
         failures.check(game.returncode == 0 and stderr == "", f"B in the title leaves: {game.returncode}, {stderr!r}")
 

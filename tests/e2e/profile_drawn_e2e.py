@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Sessions that draw: without a window, in real time, behind the title, and in a window that somebody leaves.
+"""Sessions that draw: without a window, in real time, behind the title, and in a window that is closed.
 
     profile_drawn_e2e.py GPUWARS FOLDER [window]      skipped without OpenGL; the window needs Xvfb and xdotool
 """

@@ -59,7 +59,7 @@ class Session:
                 if not interrupted and re.search(when, shown):
                     interrupted = True
                     child.send_signal(signal.SIGINT)
-        except OSError:  # nobody holds its other side any more
+        except OSError:  # its other side is closed
             pass
         os.close(terminal)
         stdout = child.communicate(timeout=60)[0]
@@ -177,7 +177,7 @@ def main():
     session.refused("no such contender", USAGE, "--compare", "ngrid,tree", "--no-draw", "--out", folder / "x", says="none of ngrid")
     (folder / "file").write_text("")
     session.refused("a folder that is a file", FILE, "--replay", good, "--no-draw", "--out", folder / "file", says="file")
-    session.refused("a folder nobody may make", FILE, "--replay", good, "--no-draw", "--out", "/proc/report", says="/proc/report")
+    session.refused("a folder that cannot be made", FILE, "--replay", good, "--no-draw", "--out", "/proc/report", says="/proc/report")
     full = subprocess.run([program, "profile", "--replay", good, "--no-draw", "--runs", "1", "--out", folder / "full"],
                           env=without_display(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False,
                           preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
@@ -200,7 +200,7 @@ def main():
     code, _, said, shown = session.interrupt("while the scene is recorded", r"recording ramp.*: [1-9]\d* of 3600, about .* left",
                                              folder / "nothing", "--scene", "ramp", "--enemies", 8000, "--no-draw")
     failures.check(code == CTRL_C and "before a single frame" in said and len(said.splitlines()) == 1,
-                   "Ctrl-C before the first frame is said")
+                   "Ctrl-C before the first frame is reported")
     failures.check(not list(folder.glob("*/*.part-*")) and not os.path.exists(folder / "nothing/report.json"),
                    "nothing half-written is left")
     failures.finish()

@@ -22,7 +22,7 @@ class Failures:
 
 def without_display():
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")}
-    return {**environment, "XDG_CONFIG_HOME": "/nonexistent"}  # nobody's own settings take part
+    return {**environment, "XDG_CONFIG_HOME": "/nonexistent"}  # no user's settings take part
 
 
 def run(program, *arguments, environment=None, timeout=300):

@@ -86,7 +86,7 @@ def refusals(render, failures, folder, forge):
     false = folder / "false.gwr"
     failures.check(run(forge, render.replay, false, "hash", 50)[0] == 0, "a replay with a false hash is made")
     code, _, err = run(render.program, "render", false, "--out", folder / "false", "--to", 60, *SMALL)
-    failures.check(code == DESYNC and "differs from tick 50" in err, f"a desync is said: {code} {err.strip()!r}")
+    failures.check(code == DESYNC and "differs from tick 50" in err, f"a desync is reported: {code} {err.strip()!r}")
     failures.check(len(frames(folder / "false")) == 60, "and its pictures are there to look at")
 
 
@@ -98,7 +98,7 @@ def interrupted(render, failures, folder):
     child.send_signal(signal.SIGINT)
     err = child.communicate(timeout=60)[1].decode()
     left = list((folder / "left").iterdir())
-    failures.check(child.returncode == CTRL_C and "Interrupted" in err, f"Ctrl-C is said: {err.strip()!r}")
+    failures.check(child.returncode == CTRL_C and "Interrupted" in err, f"Ctrl-C is reported: {err.strip()!r}")
     failures.check(0 < len(left) < 240 and all(f.read_bytes().endswith(b"IEND\xaeB`\x82") for f in left),
                    f"Ctrl-C leaves {len(left)} whole pictures and nothing else")
 

@@ -145,14 +145,14 @@ def main():
         code, tick, state, _ = watching.leave()
         failures.check(code == 0 and state == hashes[str(tick)], "and the game was not changed by any of it")
 
-        # What is wrong is said: while watching, and at exit.
+        # What is wrong is reported: while watching, and at exit.
         false = folder / "false.gwr"
         failures.check(run(forge, replay, false, "hash", 700)[0] == 0, "a replay with a false hash is made")
         watching = Watching(program, screen, false)
         watching.press("End", then_s=4)
         screen.picture("differs.png")
         code, tick, _, err = watching.leave()
-        failures.check(code == 4 and "differs from tick 700" in err, f"a desync is said, wherever one seeks: {err!r}")
+        failures.check(code == 4 and "differs from tick 700" in err, f"a desync is reported, wherever one seeks: {err!r}")
         code, _, err = run(program, "replay", replay, "--from", TICKS + 1, environment=screen.environment)
         failures.check(code == 2 and "past the last tick" in err and err.count("\n") == 1, f"a tick too many: {err!r}")
     finally:

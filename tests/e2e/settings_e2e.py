@@ -119,8 +119,8 @@ def main():
         screen.keys("key", "Escape")
         time.sleep(0.5)
         failures.check(settings.read_text() == edited.replace("0.50", "0.55"), f"both are there: {settings.read_text()!r}")
-        failures.check(settings.stat().st_mode & 0o777 == 0o600, "and nobody else may read it now either")
-        failures.check(leave(game) == "", "nothing has to be said")
+        failures.check(settings.stat().st_mode & 0o777 == 0o600, "and no other user may read it now either")
+        failures.check(leave(game) == "", "nothing has to be reported")
 
         # A file that is no TOML costs a sentence, not the game.
         settings.write_text("[keys\nmove_up = \n")

@@ -49,7 +49,7 @@ class Game:
     def leave(self):
         self.press("start", wait=0.6)
         self.press("b", wait=0.8)
-        self.command("both 8 button b 1")  # and nobody is there to see it let go
+        self.command("both 8 button b 1")  # and it is let go unseen
         _, stderr = self.process.communicate(timeout=30)
         self.failures.check(self.process.returncode == 0 and stderr == "",
                             f"the game ends: {self.process.returncode}, {stderr!r}")

@@ -91,7 +91,7 @@ def main():
     _, stderr = child.communicate(timeout=60)
     # In the middle of an answer of the reference where the machine is busy.
     failures.check(child.returncode == 130 and re.search("interrupted (after|while)", stderr),
-                   f"Ctrl-C is said as such: {child.returncode} {stderr.strip()!r}")
+                   f"Ctrl-C is reported as such: {child.returncode} {stderr.strip()!r}")
 
     # One that hangs, and does not end by itself either.
     hangs = script(folder / "hangs", "trap '' TERM; echo '{\"gpuwarsProbe\":1,\"name\":\"x\"}'; while true; do sleep 1; done\n")
@@ -127,7 +127,7 @@ def main():
     refused("heavy beside another side", USAGE, good, "--heavy", "--against", "cpu", says=["leave out one"])
     refused("JUnit over JSON", USAGE, good, "--junit", out, "--json", out, says=["give each its own"])
     for option in ("--junit", "--json"):
-        stdout, stderr = verify(f"{option} where nobody may write", FILE, good, option, "/nonexistent/x")
+        stdout, stderr = verify(f"{option} where writing is refused", FILE, good, option, "/nonexistent/x")
         failures.check("cannot be written" in stderr and "compared" not in stdout, "says so before it begins")
     failures.finish()
 

@@ -49,13 +49,13 @@ class Stacks {
 
 struct Fiber {
   context::fiber rest;  // where it goes on, while another runs
-  unsigned thread = 0;  // whom it runs
+  unsigned thread = 0;  // the one it runs
 };
 
 struct Warp {
   uint64_t words[2][kWarp];
   unsigned arrivals = 0;      // at the barrier under way, as a mask
-  unsigned waitedFor = 0;     // by whoever is there
+  unsigned waitedFor = 0;     // by those that arrived
   unsigned exchanges[kWarp];  // so far, by lane
 };
 
@@ -197,7 +197,7 @@ class Runner {
     current_ = &next;
     threadIdx = {next.thread, 0, 0};
     context::fiber from = std::move(next.rest).resume();
-    left_->rest = std::move(from);  // of whoever came here
+    left_->rest = std::move(from);  // of the fiber that came here
   }
 
   void yield() {

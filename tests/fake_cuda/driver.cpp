@@ -129,7 +129,7 @@ cudaError_t enteringOutsideCapture(const char* call) {
 
 CUstream_st* streamOf(cudaStream_t stream) {
   Driver& d = driver();
-  if (stream == nullptr) return &d.nobody;
+  if (stream == nullptr) return &d.defaultStream;
   return d.streams.count(stream) ? stream : nullptr;
 }
 
@@ -157,7 +157,7 @@ void finish(CUstream_st& stream) {
 }
 
 void finishAll() {
-  finish(driver().nobody);
+  finish(driver().defaultStream);
   for (CUstream_st* stream : driver().streams) finish(*stream);
 }
 
@@ -192,7 +192,7 @@ bool isPinned(const void* pointer) {
 
 void loseMemory() {
   for (auto& [address, block] : driver().blocks) std::memset(reinterpret_cast<void*>(address), kLost, block.bytes);
-  driver().nobody.queued.clear();
+  driver().defaultStream.queued.clear();
   for (CUstream_st* stream : driver().streams) stream->queued.clear();
 }
 

@@ -60,7 +60,7 @@ struct Driver {
   std::set<CUevent_st*> events;
   std::set<cudaGraphicsResource*> resources;  // OpenGL's buffers that are registered; gl_interop.cpp's own
   std::map<const void*, int> sharedLimits;    // by kernel: what it was granted
-  CUstream_st nobody;                         // the default stream
+  CUstream_st defaultStream;
 };
 
 std::recursive_mutex& lock();

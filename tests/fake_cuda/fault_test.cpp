@@ -165,7 +165,7 @@ TEST(Fault, NoneEndsOrChangesTheGame) {
       table[{seen.moment, inGeneral(seen.outcome)}].insert(seen.struck);
     }
   }
-  // What only gives back, or asks after an error, has nobody to tell.
+  // What only releases, or asks after an error, has no caller to tell.
   for (const char* silent :
        {"cudaFree", "cudaFreeHost", "cudaStreamDestroy", "cudaEventDestroy", "cudaGraphExecDestroy"}) {
     made.erase(silent);

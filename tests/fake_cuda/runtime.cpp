@@ -205,7 +205,7 @@ cudaError_t cudaMemcpyAsync(void* to, const void* from, size_t bytes, cudaMemcpy
 
 cudaError_t cudaMemcpy(void* to, const void* from, size_t bytes, cudaMemcpyKind) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaMemcpy");
-  finish(driver().nobody);  // streams that do not block it are not waited for
+  finish(driver().defaultStream);  // streams that do not block it are not waited for
   std::memmove(to, from, bytes);
   return cudaSuccess;
 }

@@ -6,7 +6,7 @@
 // proves is results and the order of calls, never speed, memory limits or races between blocks.
 //
 // What it is strict about, because a GPU would forgive it here and punish it there:
-//   - Work is lazy: it is done when somebody waits for it, as late as CUDA allows. Who reads pinned memory without
+//   - Work is lazy: it is done when a caller waits for it, as late as CUDA allows. Who reads pinned memory without
 //     waiting reads nothing new; who overwrites a pinned source too early sends the new bytes.
 //   - While a stream is captured, what CUDA forbids is an error: allocating, freeing, waiting.
 //   - Memory is full of 0xA5 at first, and ends at a page that must not be touched.

@@ -57,7 +57,7 @@ cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned
 cudaError_t cudaStreamBeginCapture(cudaStream_t stream, cudaStreamCaptureMode) {
   GW_ENTER("cudaStreamBeginCapture");
   CUstream_st* on = streamOf(stream);
-  if (!on || on == &driver().nobody || on->captured) return failed(cudaErrorInvalidResourceHandle);
+  if (!on || on == &driver().defaultStream || on->captured) return failed(cudaErrorInvalidResourceHandle);
   on->captured = new CUgraph_st;
   ++capturing;
   return cudaSuccess;

@@ -18,6 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (parsed.run) return 0;
   fuzz::demand(parsed.code == ExitCode::fine ? !parsed.output.empty() : parsed.code == ExitCode::badUsage,
                "a command line that does not run says nothing, or ends as something else than bad usage");
-  if (parsed.code != ExitCode::fine) fuzz::demand(!parsed.error.empty(), "nothing was said");
+  if (parsed.code != ExitCode::fine) fuzz::demand(!parsed.error.empty(), "there is no message");
   return 0;
 }

@@ -25,8 +25,8 @@ inline std::string textOf(const uint8_t* data, size_t size) {
 
 // What users are told is a sentence, whatever the input held: not empty, on one line.
 inline void demandSentence(const std::string& sentence) {
-  demand(!sentence.empty(), "nothing was said");
-  demand(sentence.find('\n') == std::string::npos, "what was said is more than one line");
+  demand(!sentence.empty(), "there is no message");
+  demand(sentence.find('\n') == std::string::npos, "the message is more than one line");
 }
 
 }  // namespace gw::fuzz

@@ -72,8 +72,8 @@ std::vector<float> firsts(const std::vector<Float2>& pairs) {
   return values;
 }
 
-// Lengths around those at which other teams take over; ties along one axis, along all, and with the dead of whom only x
-// is at +infinity.
+// Lengths around those at which other teams take over; ties along one axis, along all, and with dead cells, of which
+// only x is at +infinity.
 Words lineSorts(const Probes& device, const ExecOptions& options) {
   Words words;
   for (uint32_t length : {1u,   2u,    3u,    4u,    5u,    127u,  128u,  129u,  511u,  512u,

@@ -17,10 +17,10 @@ LEFT_OUT = {
     "game/sim/particles.cu": "only drawn: cosmetic particles draw chance of their own and feed nothing back",
     "game/sim/particle.h": "only drawn",
     "game/sim/snapshot.cu": "runs when a snapshot is taken or given back, which no tick does",
-    "game/sim/state_bytes.cu": "runs when somebody looks into a tick",
-    "game/sim/state_columns.cu": "runs when somebody looks into a tick",
-    "game/sim/state_members.h": "names of what somebody sees who looks into a tick",
-    "game/sim/hash.cu: partOfTables": "0 as long as nobody writes to the tables, whatever the game does",
+    "game/sim/state_bytes.cu": "runs when a tick is inspected",
+    "game/sim/state_columns.cu": "runs when a tick is inspected",
+    "game/sim/state_members.h": "names of what an inspected tick shows",
+    "game/sim/hash.cu: partOfTables": "0 as long as nothing writes to the tables, whatever the game does",
     "game/sim/state.h: wordHash": "compared with itself only: what it is when tables are uploaded, and in each tick",
     "game/sim/hash.cu: sounds": "tells the host what to play; no part of the hash",
     "game/sim/hash.cu: pops": "tells the host where to show points; no part of the hash",
@@ -30,7 +30,7 @@ LEFT_OUT = {
     "gpu/exact_math.h: arcTangent2": "asked only by bots and drawing",
     "gpu/exact_math.h: exponential": "asked only by drawing",
     "gpu/bits.h: orderedBits": "orders keys of other broad phases and of other orders of visits",
-    "gpu/row_gather.h: operator()": "asks about a place where nobody stands: bots and tests",
+    "gpu/row_gather.h: operator()": "asks about a position without an entity: bots and tests",
 }
 REPORTED = re.compile(r"^report\.(?!hash|fieldHashes)|\bpops\b|tallyWordOf|kMiddlePan_m")  # told the host, not hashed
 DAMAGE = re.compile(r"kDamageField|partOfTables")  # adds nothing to a hash as long as nothing is damaged

@@ -20,7 +20,7 @@ COLUMNS = "game/sim/state_columns.cu"
 
 @dataclass(frozen=True)
 class Place:
-    """Where verify says that a mutant is felt."""
+    """Where verify locates a mutant's effect."""
     mutant: object
     replay: str
     desync: dict = field(default_factory=dict)
@@ -56,7 +56,7 @@ def misplaced(mutant, tick, status, told, of_entities):
     if not desync["partsAgain"]:
         return [*wrong, "it could not make the two part again"]
     if stage not in stages_of(mutant.file):
-        wrong.append(f"it names the stage {stage}, but {mutant.file} is felt in {' or '.join(stages_of(mutant.file))}")
+        wrong.append(f"it names the stage {stage}, but {mutant.file} has its effect in {' or '.join(stages_of(mutant.file))}")
     if stage == "hash":  # nothing but the hash differs
         return wrong + ([f"it names a field, {desync['field']}, though only hash.cu is changed"] if "field" in desync else [])
     if "field" not in desync:

@@ -47,7 +47,7 @@ def add_tick(programs, outcome, run, row):
 
 
 def fastest_ngrid(rows):
-    """Of those that find everybody; the thesis's go by another name."""
+    """Of those that find every neighbour; the thesis's have another name."""
     exact = [row for row in rows if row["way"].startswith("ngrid")]
     return min(exact, key=lambda row: float(row["total_ms"]), default=None)
 

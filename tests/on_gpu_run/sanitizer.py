@@ -1,4 +1,4 @@
-"""compute-sanitizer on a short game: reads of memory that nobody wrote, accesses out of bounds, races."""
+"""compute-sanitizer on a short game: reads of uninitialised memory, accesses out of bounds, races."""
 import os
 import re
 import shutil

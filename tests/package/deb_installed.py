@@ -39,7 +39,7 @@ NO_FILES = re.compile(rf"dev|proc|sys|run|var/cache/apt/archives(/.*)?|{RESULTS}
 
 
 def paths_of(root):
-    """What lies in a root: path to what changes when somebody writes there."""
+    """What lies in a root: path to what changes when a program writes there."""
     found = {}
     for folder, names, files in os.walk(root.path):
         inside = Path(folder).relative_to(root.path)

@@ -62,5 +62,5 @@ def random_points(count):
 
 
 def count_pairs(points, radius=3.0):
-    """How many neighbours all have together, by looking at everybody."""
+    """How many neighbours all have together, by looking at all pairs."""
     return sum((x - u) ** 2 + (y - v) ** 2 <= radius * radius for x, y in points for u, v in points) - len(points)

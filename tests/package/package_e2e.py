@@ -131,7 +131,7 @@ def check_together(failures, program):
     failures.check(before == [0.0] * 4, f"it starts there: {before}")
     closest, _, x, y = after
     failures.check(closest > 0 and x > 5 and y > 5 and 0.8 < x / y < 1.25,
-                   f"nobody shares a place, and it is as high as it is wide: {after}")
+                   f"no two share a position, and it is as high as it is wide: {after}")
 
 
 def main():

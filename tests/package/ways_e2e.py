@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A project of somebody else takes the library in, in one of four ways.
+"""Another author's project takes the library in, in one of four ways.
 
     ways_e2e.py WAY SOURCE BUILD FOLDER [--cuda]      find_package, add_subdirectory, fetch_content or pkg_config
 
@@ -38,7 +38,7 @@ class Way:
         return built(self.failures, command, self.folder, self.prefix, **variables)
 
     def by_cmake(self):
-        """Builds everything, and looks for what nobody asked for."""
+        """Builds everything, and looks for what was not asked for."""
         out, check = self.folder / "build", self.failures.check
         if not (self.built(self.configure(out)) and self.built(["cmake", "--build", out])):
             return None

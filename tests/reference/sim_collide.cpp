@@ -214,7 +214,7 @@ void collide(World& world) {
   }
   for (const auto& [id, choice] : choices) {
     Entity& shot = world.byId(id);
-    shot.gone = shot.timer == 0;  // who leaves the world has met somebody first
+    shot.gone = shot.timer == 0;  // a shot that leaves the world has hit its victim first
     shot.x = shot.previous_x + (shot.x - shot.previous_x) * choice.time;
     shot.y = shot.previous_y + (shot.y - shot.previous_y) * choice.time;
     if (std::find(spent.begin(), spent.end(), id) == spent.end()) continue;

@@ -20,7 +20,7 @@ Vector unit(float x, float y) {
   return l > 0.0f ? Vector{x / l, y / l} : Vector{0.0f, 0.0f};
 }
 
-// What an enemy finds out by looking at everybody, as everybody was at the start of the tick.
+// What an enemy finds out by looking at all entities as they were at the start of the tick.
 struct Sight {
   uint32_t kin = 0;
   Vector middle{0, 0}, heading{0, 0};  // of its kin, unit vectors
@@ -250,7 +250,7 @@ Mind nextMind(Machine machine, Mind mind, const Facts& f) {
 }
 
 void think(World& world) {
-  const std::vector<Entity> all = world.entities;  // everybody looks at the same moment
+  const std::vector<Entity> all = world.entities;  // all look at the same moment
   for (Entity& e : world.entities) {
     e.taken = e.died = e.transited = e.gone = false;
     if (world.isEnemy(e)) thinkEnemy(world, all, e);

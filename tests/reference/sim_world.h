@@ -1,5 +1,5 @@
 // The game once more, for the tests: plain, slow, on the host, written from the rules. Every function here
-// does what one stage is said to do, by loops over all entities; it shares with the kernels only plain data
+// does what one stage has to do, by loops over all entities; it shares with the kernels only plain data
 // and, where bits must match, the exact maths and the random numbers.
 #pragma once
 
@@ -15,7 +15,7 @@ struct Entity : EntityRecord {
   bool taken = false;      // a bit that the ship collected in this tick
   bool died = false;       // became dead in this tick
   bool transited = false;  // changed its state in this tick
-  bool gone = false;       // leaves at the end of this tick unless it meets somebody
+  bool gone = false;       // leaves at the end of this tick unless it hits a victim
 };
 
 struct World {

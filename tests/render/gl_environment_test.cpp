@@ -1,4 +1,4 @@
-// What is said where no OpenGL 4.5 comes, in environments as they are met.
+// The message where no OpenGL 4.5 comes, in environments as they are met.
 #include "render/gl_environment.h"
 
 #include <gtest/gtest.h>

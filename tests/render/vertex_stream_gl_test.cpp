@@ -71,7 +71,7 @@ TEST_F(VertexStreamRing, hasThreeRegionsThatDoNotOverlap) {
     EXPECT_EQ(region.capacity, kCapacity);
     EXPECT_EQ(region.command->vertexCount, SpriteStream::kDrawNothing.vertexCount);
     EXPECT_EQ(region.command->instanceCount, 0u);
-    region.command->instanceCount = 7;  // left behind for whoever comes round next
+    region.command->instanceCount = 7;  // left behind for the next round
     offsets.push_back(region.vertexOffset_bytes);
     commands.insert(region.command);
     stream.end();

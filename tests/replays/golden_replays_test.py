@@ -121,7 +121,7 @@ def main():
         folder.write("golden.list", f"short | {OPTIONS} --with-sight 0.1\n")
         folder.want(folder.record(), "recording with less sight", "attacking' is never taken")
         folder.write("golden.list", f"short | {OPTIONS} --with-waves-of pentagon\n")
-        folder.want(folder.record(), "recording with waves of nobody", "pentagon")
+        folder.want(folder.record(), "recording with waves of an unknown type", "pentagon")
         for options, says in (("--with game.joy=3", "finds nothing to change"), ("--with joy", "takes game.KEY=NUMBER"),
                               ("--with-sight", "--with-sight needs a value")):
             folder.write("golden.list", f"short | {OPTIONS} {options}\n")

@@ -4,7 +4,7 @@
     golden_variants.py GPUWARS [--replays FOLDER]
 
 A variant is a line of VARIANTS: options of verify, and for which replays. Exact games are free in how neighbours are
-found; where the arrangement of the NGrid is felt, only threads and order are.
+found; where the game depends on the arrangement of the NGrid, only threads and order are.
 """
 import argparse
 import sys

@@ -21,7 +21,7 @@ def made(golden):
     """How it was recorded, in words."""
     if golden.person:
         return "a person's inputs"
-    who = f"script `{golden.script}`" if golden.script else option(golden, "--autopilot", "nobody")
+    who = f"script `{golden.script}`" if golden.script else option(golden, "--autopilot", "no autopilot")
     words, rest = [who, f"seed {option(golden, '--seed', '1')}"], list(golden.recorded)
     while rest:
         word = rest.pop(0)

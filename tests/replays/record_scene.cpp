@@ -1,4 +1,4 @@
-// record_scene OUT.gwr ASSETS [TICKS]: records the five minutes of 'gpuwars profile' anew, on the cpu device, after a
+// record_scene OUT.gwr ASSETS [TICKS]: records the five minutes of 'gpuwars profile' again, on the cpu device, after a
 // change that is meant to change the game.
 #include <cstdio>
 #include <cstdlib>

@@ -70,7 +70,7 @@ InputRecord corners(const TickReport& last) {
   return record;
 }
 
-// Asks for nobody and flies about, so that a world without enemies is played.
+// Asks for no enemies and flies about, so that a world without enemies is played.
 InputRecord alone(const TickReport& last) {
   const uint32_t tick = last.tick;
   constexpr int16_t kSlant = 23170;

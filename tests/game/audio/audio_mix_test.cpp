@@ -164,7 +164,7 @@ TEST(Mix, OneBurstDoesNotClip) {
   EXPECT_LT(game.play(report, 2).peak(), 1);
 }
 
-// Sounds at full scale that never fade, as somebody may put in: the head room holds for these too.
+// Sounds at full scale that never fade, as a user's files may be: the head room holds for these too.
 TEST(Mix, SoundsAtFullScaleDoNotClip) {
   SoundBank loud;
   for (Clip& clip : loud.effects) clip = {48000, std::vector<int16_t>(96000, 32767)};

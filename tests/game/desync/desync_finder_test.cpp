@@ -49,7 +49,7 @@ Lockstep compare(Probe& own, Probe& reference) {
 
 constexpr const char* kStages[] = {"think", "integrate", "collide", "settle"};
 
-// A field of an entity, where its bits lie, and the first of these stages after which nobody in the tick writes it
+// A field of an entity, where its bits lie, and the first of these stages after which nothing in the tick writes it
 // any more: what is written over has not been damaged.
 struct Place {
   const char *buffer, *part;

@@ -111,7 +111,7 @@ TEST(ReplayDamage, UnknownChunksAreSkippedWhenOptionalAndRefusedWhenRequired) {
   ForgedFile file(sampleFile());
   file.chunks.insert(file.chunks.begin() + 1, {fourcc('N', 'O', 'T', 'E'), 0, 7, {1, 2, 3}, 3});
   EXPECT_EQ(refusalOf(file.seal()), "");
-  file.chunks[1].payload = Bytes(900, 7);  // nobody inflates what nobody reads
+  file.chunks[1].payload = Bytes(900, 7);  // what is not read is not inflated
   file.chunks[1].stored = Bytes{1, 2, 3};
   EXPECT_EQ(refusalOf(file.seal()), "");
   file.chunks[1].flags = kRequired;

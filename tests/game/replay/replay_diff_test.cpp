@@ -35,7 +35,7 @@ TEST(ReplayDiff, NamesEachFieldOfTheHeader) {
   EXPECT_EQ(diff.header[2].a, "arcade");
   EXPECT_EQ(diff.header[2].b, "swarm");
   EXPECT_EQ(diff.header[3].a, "8192");
-  EXPECT_EQ(diff.header[4].b, "nobody");
+  EXPECT_EQ(diff.header[4].b, "none");
   EXPECT_EQ(diff.header[5].a, "fixed");
   EXPECT_EQ(diff.header[6].a, "odd-even");
   EXPECT_FALSE(diff.same());
@@ -102,7 +102,7 @@ TEST(ReplayDiff, ComparesResultsWhereBothAreKnown) {
   EXPECT_EQ(diff.result[1].b, "no");
   const ReplayDiff partial = against([](Replay& r) { r.result = {}, r.whole = false; });
   EXPECT_TRUE(partial.result.empty());
-  EXPECT_FALSE(partial.same()) << "nobody knows how it went on";
+  EXPECT_FALSE(partial.same()) << "how it went on is unknown";
 }
 
 RC_GTEST_PROP(ReplayDiff, IsTheSameSeenFromTheOtherSide, ()) {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Root may write everywhere; for as long as this lives the program is nobody instead.
+// Root may write everywhere; for as long as this lives the program runs as an unprivileged user.
 class WithoutPrivileges {
  public:
   WithoutPrivileges() : wasRoot_(geteuid() == 0), dropped_(!wasRoot_ || seteuid(65534) == 0) {}

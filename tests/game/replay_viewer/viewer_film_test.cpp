@@ -234,7 +234,7 @@ TEST_F(Folders, AFilmThatWasCutShortIsNone) {
   EXPECT_FALSE(isWholeMp4(folder_ / "none.mp4"));
 }
 
-// What a player shows is what was drawn. A film whose colours are said to be others than they are shows red as 232,0,1.
+// What a player shows is what was drawn. A film with a wrong colour space in its header shows red as 232,0,1.
 void expectTrueColours(const fs::path& film) {
   constexpr int kSide = 64;
   constexpr uint8_t kColours[][3] = {{255, 0, 0},   {0, 255, 0},     {0, 0, 255},     {255, 255, 0}, {255, 0, 255},

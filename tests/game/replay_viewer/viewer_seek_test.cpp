@@ -150,7 +150,7 @@ TEST(ViewerSeek, NamesTheFirstTickThatDiffersWhereverItWasFoundFrom) {
   EXPECT_EQ(viewer.differsFrom(), 250u);
   ReplayViewer scouted(sample.replay, sample.simulation(), [&] { return sample.simulation(); });
   while (!scouted.scouted()) std::this_thread::yield();
-  EXPECT_EQ(scouted.differsFrom(), 250u) << "found ahead of whoever watches";
+  EXPECT_EQ(scouted.differsFrom(), 250u) << "found ahead of the viewer";
 }
 
 TEST(ViewerSeek, DoesWithoutAScoutThatCannotBe) {

@@ -70,7 +70,7 @@ class FailoverTest : public testing::Test {
         [this](const std::string& why) { told.push_back(why); });
   }
 
-  // Keys that change often, so that a lost or doubled input is felt.
+  // Keys that change often, so that a lost or doubled input changes the game.
   static InputRecord keys(uint32_t tick) {
     return {int16_t(tick * 7919 % 20001 - 10000), int16_t(tick * 104729 % 20001 - 10000), uint16_t(tick * 331),
             uint16_t(tick % 3 == 0)};

@@ -140,7 +140,7 @@ TEST_F(SettingsMenuTest, RowsGoRound) {
 TEST_F(SettingsMenuTest, AnActionTakesTheNextKey) {
   go(rowOf(Action::moveUp));
   menu.hear(key(kKeyE));
-  EXPECT_EQ(menu.settings(), Settings()) << "nobody asked for a key yet";
+  EXPECT_EQ(menu.settings(), Settings()) << "no key was asked for yet";
   press(&MenuPresses::confirm);
   ASSERT_TRUE(menu.waiting());
   press(&MenuPresses::down);

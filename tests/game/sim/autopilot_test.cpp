@@ -81,7 +81,7 @@ TEST_F(autopilot, the_novice_flees_then_fetches_then_goes_to_the_middle) {
   InputRecord input = run(Autopilot::novice);
   EXPECT_EQ(input.move_x, 0);
   EXPECT_EQ(input.move_y, kStickFull);
-  EXPECT_EQ(input.buttons, 0);  // nobody to shoot
+  EXPECT_EQ(input.buttons, 0);  // no target
   add(kTriangle, 50.0f, y + 6.9f);
   EXPECT_EQ(run(Autopilot::novice).move_y, -kStickFull);
   world.entities.clear();

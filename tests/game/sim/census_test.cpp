@@ -1,4 +1,4 @@
-// The census: who lives, and how the grid lies, as a host counts them on a snapshot. And that counting is not felt.
+// The census: live entities and the order of the grid, as a host counts them on a snapshot. Counting changes no game.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ TEST(census, of_an_empty_game_is_nobody) {
   EXPECT_EQ(census.misaligned, 0u);
 }
 
-// Who stood before his predecessor on a row or a column when neighbours were searched: one tick ago everybody who is
+// Entities before their predecessor on a row or a column when neighbours were searched: one tick ago every one that is
 // still there stood where he was before, in the same cell.
 uint32_t misalignedOn(const Snapshot& snapshot, cpu::NDimensions grid) {
   constexpr float kNowhere = std::numeric_limits<float>::infinity();
@@ -101,7 +101,7 @@ TEST(census, counts_the_misaligned_of_an_ngrid) {
     simulation->report();
     const Snapshot snapshot = simulation->snapshot();
     const Census census = simulation->census();
-    if (snapshot.entities.size() != census.searched) continue;  // somebody has left since
+    if (snapshot.entities.size() != census.searched) continue;  // an entity has left since
     ASSERT_EQ(census.misaligned, misalignedOn(snapshot, cpu::dimensionsOf(config))) << "tick " << t;
     most = std::max(most, *census.misaligned);
     ++compared;

@@ -1,4 +1,4 @@
-// Collide: who hits whom, what it costs, and what the ship's contact, blast and flush do.
+// Collide: hits and their victims, what they cost, and what the ship's contact, blast and flush do.
 #include <gtest/gtest.h>
 
 #include "tests/game/sim/scenes.h"

@@ -1,4 +1,4 @@
-// Whole games: nothing about how they are computed is felt, they end, and they start again the same.
+// Whole games: how they are computed changes nothing, they end, and they start again the same.
 #include <gtest/gtest.h>
 
 #include <cstring>

@@ -1,5 +1,5 @@
 // Whole games with an inexact gather: the arrangement of the cells is state. Nothing else about how they are computed
-// is felt, and snapshots and replays carry all of it.
+// changes the game, and snapshots and replays carry all of it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -166,7 +166,7 @@ TEST(inexact_config, what_does_not_go_together_is_refused) {
   EXPECT_THROW(cpu::makeSimulation(config), std::invalid_argument);
 }
 
-// They look at everybody, whatever the grid would show.
+// They look at every entity, whatever the grid would show.
 TEST(inexact_bots, decide_as_in_an_exact_game) {
   for (const Way& way : kWays) {
     for (uint32_t seed = 1; seed <= 4; ++seed) {

@@ -156,7 +156,7 @@ TEST(swarm, whoever_is_told_to_attack_does_from_anywhere) {
   world.master.tick = kLateTick;
   world.master.allAttack = 1;
   for (uint32_t type = 0; type < fixture.rules().enemyTypeCount; ++type) {
-    world.add(enemyAt(fixture.rules(), type, type, 4.0f, 4.0f + 12.0f * float(type)));  // out of everybody's sight
+    world.add(enemyAt(fixture.rules(), type, type, 4.0f, 4.0f + 12.0f * float(type)));  // out of every enemy's sight
   }
   fixture.begin(world);
   cpu::think(fixture.queue(), fixture.view());

@@ -1,4 +1,4 @@
-// Colours of rows: neighbours differ so far that nobody takes one for the other.
+// Colours of rows: neighbours differ so far that they are told apart.
 #include "game/sim/draw/row_colour.h"
 
 #include <gtest/gtest.h>

@@ -106,7 +106,7 @@ TEST(snapshot, what_does_not_fit_is_refused_and_changes_nothing) {
 }
 
 // Frozen rows are sorted in full when a report says that they have widened. Such a report of the ticks before a
-// restored snapshot once had the first tick sort a grid with nobody in it, and the horde of the next tick stood in its
+// restored snapshot once had the first tick sort an empty grid, and the horde of the next tick stood in its
 // rows by id: the same game, with four times the candidates.
 TEST(snapshot, of_the_start_leaves_no_rows_to_sort_for_what_was_before) {
   SimulationConfig config = stageConfig(2500);

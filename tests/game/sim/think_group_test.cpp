@@ -1,5 +1,5 @@
 // What group and tricky do in their states: the wish behind each force, checked by hand; and that a shot
-// warns those whom it would hit, nobody else.
+// warns those that it would hit, and no other.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ class think_group : public ::testing::Test {
 };
 
 TEST_F(think_group, a_group_draws_to_its_middle_and_turns_along_its_heading) {
-  world.master.ship.x = 180.0f;  // out of everybody's sight
+  world.master.ship.x = 180.0f;  // out of every enemy's sight
   const float x = 20.0f, y = 54.0f;
   EntityRecord& e = enemy(0, kVertex, x, y, State::grouping);
   e.direction_x = 0.0f;

@@ -1,4 +1,4 @@
-// The typeface that the screens are written in, and what is said of a damaged one.
+// The typeface that the screens are written in, and the message for a damaged one.
 #include <gtest/gtest.h>
 
 #include <filesystem>

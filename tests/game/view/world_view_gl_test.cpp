@@ -35,7 +35,7 @@ class WorldViewGl : public GlTest {
     return run;
   }
 
-  // Nobody plays, and the flush has just begun.
+  // No input, and the flush has just begun.
   std::unique_ptr<GameRun> runAfterFlush() {
     auto run = std::make_unique<GameRun>(cpu::makeSimulation(config_), std::nullopt);
     for (int t = 0; t < 60; ++t) run->tick({});

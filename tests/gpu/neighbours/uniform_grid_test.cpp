@@ -102,7 +102,7 @@ TEST(UniformGrid, NeighboursAroundAndAfterAreThoseOfBruteForce) {
           pairs += gathered.tested[i] >> 16;
           all += gathered.tested[i] & 0xFFFFu;
         }
-        // Each pair from one side, and nobody with itself; a run of the grid has up to three tests more.
+        // Each pair from one side, and none with itself; a run of the grid has up to three tests more.
         EXPECT_LE(double(2 * pairs), (method == Around::grid ? 1.05 : 1.0) * double(all));
       }
     }

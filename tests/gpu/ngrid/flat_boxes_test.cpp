@@ -1,4 +1,4 @@
-// Boxes taken from data that has no thickness along some axes, or along any: everybody at one x, on a line, in one
+// Boxes taken from data that has no thickness along some axes, or along any: all at one x, on a line, in one
 // place, or alone. Dimensions are chosen all the same, and searches on them find what brute force finds.
 #include <gtest/gtest.h>
 

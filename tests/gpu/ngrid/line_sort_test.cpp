@@ -14,7 +14,7 @@ namespace {
 
 const Probes kDevice = cpu::probes();
 
-// By bits: +0 and -0 are the same place, but whoever had one must keep it.
+// By bits: +0 and -0 are the same place, but a cell that had one must keep it.
 bool sameCells(const std::vector<Cell>& a, const std::vector<Cell>& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const Cell& one, const Cell& other) {
            return std::signbit(one.x) == std::signbit(other.x) && std::signbit(one.y) == std::signbit(other.y) &&

@@ -160,7 +160,7 @@ TEST(OddEven, IsLeftAloneWhileOnHoldAsIsTheFullUpkeep) {
   }
 }
 
-// What is known of the rows stays what belongs to them: exact searches go on finding everybody.
+// What is known of the rows stays what belongs to them: exact searches go on finding every neighbour.
 TEST(OddEven, OnHoldTheRowsStayKnown) {
   const GridShape shape{60, 20};
   cpu::Queue queue({2});
@@ -170,7 +170,7 @@ TEST(OddEven, OnHoldTheRowsStayKnown) {
   auto places = makeCells({Layout::uniform, shape, 10, 6});
   cells.upload(places);
   grid.rebuild(queue, cells.data(), cellOf.data());
-  // Everybody moves far to the left but for one: rows are indexed by what was known before that.
+  // All but one move far to the left: rows are indexed by what was known before that.
   places = cells.download();
   for (Cell& cell : places) cell.x = cell.id == 5 ? 300.0f : 0.25f * cell.x - 50.0f;
   cells.upload(places);

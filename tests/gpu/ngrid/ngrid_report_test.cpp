@@ -59,7 +59,7 @@ TYPED_TEST(NGridReport, OfAMovingCrowdOddEvenLeavesMoreMisaligned) {
     auto cells = In::upkeep(probes())({2}, shape, In::cells({Layout::uniform, shape, 0, 3}), Upkeep::settle).cells;
     uint32_t misaligned = 0;
     for (uint32_t frame = 0; frame < 20; ++frame) {
-      for (auto& cell : cells) {  // as moveCells(), but nobody dies
+      for (auto& cell : cells) {  // as moveCells(), but none dies
         cell.x += reach * std::sin(float(cell.id) + 0.1f * float(frame));
         cell.y += reach * std::cos(float(cell.id) * 1.7f + 0.1f * float(frame));
       }

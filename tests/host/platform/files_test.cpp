@@ -73,7 +73,7 @@ TEST_F(Written, AFileKeepsItsPermissions) {
     EXPECT_EQ(content(path), "new");
     EXPECT_EQ(modeOf(path), mode);
     GrowingFile growing(path);
-    EXPECT_EQ(modeOf(growing.path()), mode) << "so what only its owner may read is never anybody's";
+    EXPECT_EQ(modeOf(growing.path()), mode) << "so what only its owner may read is never readable by others";
     growing.append(bytesOf("grown"));
     growing.become();
     EXPECT_EQ(content(path), "grown");
@@ -96,7 +96,7 @@ TEST_F(Written, AFileKeepsItsOwner) {
   EXPECT_EQ(modeOf(path), mode_t(0640));
 }
 
-// A file of somebody else's in a folder where nobody may take another's name away.
+// A file of another user in a folder where names cannot be taken from others.
 TEST_F(Written, AFileWhoseNameCannotBeTakenGetsTheBytes) {
   if (geteuid() != 0) GTEST_SKIP() << "only root may give files away";
   chmod(folder_.c_str(), 01777);

@@ -1,4 +1,4 @@
-# Whoever takes the library in finds the variables and languages of the project as they were, and in the cache nothing
+# A project that takes the library in finds the variables and languages of the project as they were, and in the cache nothing
 # new but what has the library's name.
 # CMake itself and its find_package(Threads); CMAKE_PROJECT_VERSION of a project without one is that of any inside it.
 set(for_cmake "^CMAKE_(CURRENT_|PARENT_|MATCH_|FIND_PACKAGE_|PROJECT_VERSION|THREAD_|USE_|HAVE_|REQUIRED_)")

@@ -1,4 +1,4 @@
-// NVTX for nobody: without a profiler attached the real one does nothing either.
+// NVTX without effect: without a profiler attached the real one does nothing either.
 #pragma once
 
 inline int nvtxRangePushA(const char*) {

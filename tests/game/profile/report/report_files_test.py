@@ -90,7 +90,7 @@ def pictures(reports, failures, _schema):
         skip("rsvg-convert or ImageMagick is not installed")
     for report in reports:
         if report.name == "hostile":
-            continue  # what is drawn of no numbers is nobody's business
+            continue  # without numbers there is nothing to compare
         for plot in sorted((report / "plots").glob("*.svg")):
             seen = colours_of(plot.with_suffix(".png"))
             # What is half transparent, and the thin rims of characters, mix with what is below.

@@ -179,7 +179,7 @@ Report hostileReport() {
   odd.tickOverLive = {{0, 0}, {1, 5e-324}, {-1, kUnknown}, {5, 1e-3}};
   report.cases = {
       {0, {}, {}}, {1, {odd, odd}, {{name, {1, 0, INFINITY}, {-3, -5, -1}, {1e200, 1, 1e300}}}}, {1, {}, {}}};
-  report.growth = {{name, PowerFit{1e300, 50, kUnknown}, ""}, {"nobody", {}, name}};
+  report.growth = {{name, PowerFit{1e300, 50, kUnknown}, ""}, {"absent", {}, name}};
   return report;
 }
 

@@ -1,4 +1,4 @@
-// Reports that nobody measured, for tests of what is made from them.
+// Reports that were not measured, for tests of what is made from them.
 #pragma once
 
 #include "game/profile/metrics/report.h"

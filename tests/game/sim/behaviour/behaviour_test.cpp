@@ -64,7 +64,7 @@ uint16_t aimAt(double x, double y) {
   return uint16_t(std::lround(std::atan2(y, x) / (2 * 3.14159265358979) * 65536));
 }
 
-// The ship stands still and fires at enemies that come at it from +x, one after the other: so nobody stands in for
+// The ship stands still and fires at enemies that come at it from +x, one after the other: so none stands in for
 // another. Each bears more than it can be dealt, so that the energy it lost counts its hits. Hits per shot.
 double hitRate(SimulationConfig config, uint32_t type, Machine machine, Fire fire) {
   constexpr float kShip_x = 40, kShip_y = 54, kEnergy = 1000;
@@ -103,7 +103,7 @@ TEST_P(bullets, along_one_line_are_dodged) {
   EXPECT_LT(hitRate(config, GetParam(), own, Fire::straight), 0.5 * control);
 }
 
-// Nobody dodges for ever: aimed fire hits while the cooldown lasts. The tricky come straight here, so that it is
+// No enemy dodges for ever: aimed fire hits while the cooldown lasts. The tricky come straight here, so that it is
 // their dodging which is measured.
 TEST_P(bullets, that_are_aimed_hit_less) {
   SimulationConfig config = quietConfig();

@@ -111,7 +111,7 @@ Counts crowded(uint32_t threads, VisitOrder order) {
   config.autopilot = Autopilot::novice;
   config.threads = threads;
   config.order = order;
-  config.rules.budget.limit_us = ~0u;  // nobody dies of it
+  config.rules.budget.limit_us = ~0u;  // it ends no game
   for (Wave& wave : config.rules.waves) wave.at_ticks /= 10;
   const auto simulation = cpu::makeSimulation(config);
   Counts counts;

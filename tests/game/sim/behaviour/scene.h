@@ -27,7 +27,7 @@ struct Place {
   uint32_t flags = 0;
 };
 
-// A game late enough for nobody to be announced. Headings are spread evenly over the ids.
+// A game late enough for no enemy to be announced. Headings are spread evenly over the ids.
 std::unique_ptr<Simulation> makeScene(const SimulationConfig& config, float ship_x, float ship_y,
                                       const std::vector<Place>& places);
 
