@@ -18,12 +18,14 @@ check_packages=(
   xvfb xauth xdotool imagemagick
   clang libclang-rt-dev binutils python3 python3-jsonschema git util-linux
 )
-# Programs, and their packages, that show reports and encode films as players' do, and that look at packages as Debian does.
+# Programs, and their packages, that show reports and encode films as players' do, that look at packages as Debian does, and
+# that look at sources. clang-format and clang-tidy are of one version (tests/gates/llvm_tools.py), which newer systems lack.
 # Ubuntu has Chromium only as a snap; what needs them is skipped and counted without them.
 declare -A optional_packages=(
   [chromium]=chromium [ffmpeg]=ffmpeg
   [dpkg-shlibdeps]=dpkg-dev [file]=file [lintian]=lintian [desktop-file-validate]=desktop-file-utils
   [appstreamcli]=appstream [mandoc]=mandoc
+  [clang-format-14]=clang-format-14 [clang-tidy-14]=clang-tidy-14 [doxygen]=doxygen
 )
 
 case "${1:-}" in
