@@ -42,6 +42,7 @@ struct ClearChoices {
   View v;
   GW_BODY void operator()(uint32_t id) const {
     v.choice[id] = kNobody;
+    v.choiceTime[id] = 0.0f;
     v.chosenBy[id] = 0;
     v.spent[id] = 0;
     v.pushSum[3 * id] = v.pushSum[3 * id + 1] = v.pushSum[3 * id + 2] = 0;

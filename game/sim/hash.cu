@@ -1,11 +1,10 @@
-// Hash: every simulated field of every living entity and of the master, summed so that neither the NGrid's
-// arrangement nor the order of visits is felt; where the arrangement is state, who stands in which cell; then the
-// report, which is all the host gets to see.
+// Hash: every simulated field of every living entity, summed so that neither the NGrid's arrangement nor the order of
+// visits has an influence; where the arrangement is state, which id stands in which cell. Report adds the globals.
 //
 // What is no state but must hold between ticks adds nothing to the sums as long as it does: that the dead stand at
 // +infinity, that cells and ids name each other, that the tables are those that were uploaded. So damage to them is
 // seen in the tick in which it happens, and not when something goes wrong because of it.
-#include "game/sim/entity_flags.h"
+#include "game/sim/entity_access.h"
 #include "game/sim/stages.h"
 #include "gpu/math/bits.h"
 #include "gpu/math/state_hash.h"
@@ -16,8 +15,12 @@ namespace {
 GW_FN uint64_t pair(float a, float b) {
   return uint64_t(bitsOf(a)) << 32 | bitsOf(b);
 }
-GW_FN uint64_t pair(uint32_t a, uint32_t b) {
-  return uint64_t(a) << 32 | b;
+// The bits of a field, whatever its type.
+GW_FN uint32_t fieldBits(float value) {
+  return bitsOf(value);
+}
+GW_FN uint32_t fieldBits(uint32_t value) {
+  return value;
 }
 
 constexpr uint32_t kCellField = 0xCE11u;  // far above the fields of entities, whose owners are ids
@@ -77,117 +80,14 @@ struct HashEntities {
   }
 
   GW_BODY void addEntity(const Cell& cell, uint64_t* sums) const {
-    const uint32_t id = cell.id;
-    const Float4 motion = v.velocityPrevious[id], force = v.nextForceEnergy[id], direction = v.nextDirectionMass[id];
-    const Uint4 state = v.state[id];
-    const Float2 push = v.push[id];
-    const uint64_t words[] = {pair(cell.type, v.birthTick[id]), pair(cell.x, cell.y),   pair(motion.x, motion.y),
-                              pair(motion.z, motion.w),         pair(force.x, force.y), pair(force.w, direction.z),
-                              pair(direction.x, direction.y),   pair(push.x, push.y),   pair(state.x, state.y),
-                              pair(state.z, state.w),           uint64_t(v.target[id])};
-    static_assert(sizeof words / sizeof words[0] == kEntityHashFields, "in the order of HashField");
-    WordHashes hashes(id);
+    const EntityRecord e = entityAtEnd(v, cell);
+    uint64_t words[kEntityHashFields] = {};
+#define GW_ADD(member, Type, buffer, component, column, word, half) \
+  words[uint32_t(word)] |= uint64_t(fieldBits(e.member)) << half;
+    GW_ENTITY_FIELDS(GW_ADD)
+#undef GW_ADD
+    WordHashes hashes(cell.id);
     for (uint32_t field = 0; field < kEntityHashFields; ++field) sums[field] += hashes.next(words[field]);
-  }
-};
-
-// One item in all.
-struct Report {
-  View v;
-
-  GW_BODY void operator()(uint32_t) const {
-    const Master& m = *v.master;
-    TickScratch& s = *v.scratch;
-    TickReport& report = *v.report;  // in place: as a local it would not fit the registers of a thread
-    report = TickReport{};
-    report.tick = m.tick;
-    report.over = m.over != 0;
-    report.ending = Ending(m.over);
-    for (uint32_t field = 0; field < kHashFields; ++field) {
-      const uint64_t sum = s.fieldHashes[field] + (field == uint32_t(HashField::master) ? masterHash(m) : 0);
-      report.fieldHashes[field] = sum;
-      report.hash += sum;
-      s.fieldHashes[field] = 0;  // for the next tick to add up
-    }
-    report.input = s.input;
-    report.ship_x = m.ship.x;
-    report.ship_y = m.ship.y;
-    report.shipPrevious_x = m.ship.previous_x;
-    report.shipPrevious_y = m.ship.previous_y;
-    report.aim_rad = m.ship.aim_rad;
-    report.score = m.score;
-    report.kills = m.kills;
-    report.multiplierTenths = m.multiplierTenths;
-    report.frameTime_us = m.frameTime_us;
-    report.bank_us = m.bank_us;
-    report.flushes = m.flushes;
-    report.flush_x = m.flush_x;
-    report.flush_y = m.flush_y;
-    report.flushRadius_m = m.flushRadius_m;
-    report.untouchable_ticks = m.ship.untouchable_ticks;
-    report.clock_ticks = m.clock_ticks;
-    report.wave = m.wave + m.endless;
-    report.pace = m.pace;
-    report.rowsWidened = v.near.ngrid.totals ? v.near.ngrid.widened() : 0.0f;
-    for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) {
-      report.enemies += m.totals.occupied[t];
-      report.killsByType[t] = m.killsByType[t];
-    }
-    report.enemies -= m.totals.dying;
-    report.shots = m.totals.occupied[kTypeShot];
-    report.bits = m.totals.occupied[kTypeBit];
-    report.enemiesInView = m.totals.inView;
-    report.idle_ticks = m.idle_ticks;
-    report.peakEnemies = larger(m.peakEnemies, report.enemies);
-    report.refused = m.refused;
-    report.bitsTaken = m.bitsTaken;
-    report.contacts = m.contacts;
-    report.contactType = s.contactType;
-    report.contactCost_us = s.contactCost_us;
-    // Once the game is over the totals stand still: they were reported when they were new.
-    const Totals fresh = m.over ? Totals{} : m.totals;
-    report.edges = s.tally.edges;
-    sounds(report, fresh, s);
-    pops(report, m, s);
-  }
-
- private:
-  GW_BODY static uint64_t masterHash(const Master& m) {
-    const uint32_t* words = reinterpret_cast<const uint32_t*>(&m);
-    uint64_t sum = 0;
-    for (uint32_t w = 0; w < sizeof(Master) / 4; w += 2) sum += hashWord(kNobody, w, pair(words[w], words[w + 1]));
-    return sum;
-  }
-
-  GW_BODY static void sounds(TickReport& report, const Totals& totals, const TickScratch& s) {
-    constexpr uint32_t kMiddle = 1;
-    const auto put = [&](SoundEvent event, uint32_t pan, uint32_t count) {
-      report.sounds[uint32_t(event)][pan] = uint16_t(smaller(count, 65535u));
-    };
-    put(SoundEvent::shot, kMiddle, s.shotSounds);
-    put(SoundEvent::contact, kMiddle, s.contactSounds);
-    put(SoundEvent::bit, kMiddle, totals.bitsTaken);
-    put(SoundEvent::wave, kMiddle, s.waveSounds);
-    put(SoundEvent::flush, kMiddle, s.flushSounds);
-    put(SoundEvent::over, kMiddle, s.overSounds);
-    for (uint32_t type = 0; type < kMaxEnemyTypes; ++type) {
-      for (uint32_t pan = 0; pan < kPans; ++pan) {
-        report.killSounds[type][pan] = uint16_t(smaller(s.tally.killSounds[type][pan], 65535u));
-      }
-    }
-  }
-
-  GW_BODY void pops(TickReport& report, const Master& m, const TickScratch& s) const {
-    for (uint32_t side = 0; side < kPans; ++side) {
-      if (s.pops[side] == 0) continue;
-      const uint32_t id = ~uint32_t(s.pops[side]);
-      if (v.cellOf[id] >= v.capacity) continue;  // damaged, which the hash tells
-      const Cell cell = v.moved[v.cellOf[id]];
-      const uint64_t value = s.pops[side] >> 32;
-      const bool bare = (v.state[id].w & kFlagFlushed) != 0;
-      const uint64_t points = bare ? value : value * m.multiplierTenths / 10;
-      report.pops[side] = {cell.x, cell.y, uint32_t(points < 0xFFFFFFFFull ? points : 0xFFFFFFFFull)};
-    }
   }
 };
 
@@ -196,7 +96,6 @@ struct Report {
 void hash(Queue& queue, const View& view) {
   forEachTeam(queue, (view.capacity + HashEntities::kIds - 1) / HashEntities::kIds,
               HashEntities{view, isArrangementState(view.near.gather)});
-  forEach(queue, Count{1}, Report{view});
 }
 
 }  // namespace gw::GW_DEVICE

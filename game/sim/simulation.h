@@ -10,6 +10,7 @@
 
 #include "game/sim/behaviour/state_tables.h"
 #include "game/sim/draw/particle.h"
+#include "game/sim/entity_fields.h"
 #include "game/sim/hash_fields.h"
 #include "game/sim/input_record.h"
 #include "game/sim/rules.h"
@@ -106,18 +107,6 @@ struct TickReport {
   uint16_t killSounds[kMaxEnemyTypes][kPans] = {};  // deaths, those without score too
   Pop pops[kPans];
 };
-
-// One live entity, as snapshots hold it: everything that is simulated, by id, nothing of the NGrid's
-// arrangement.
-struct EntityRecord {
-  uint32_t id, type;
-  float x, y, previous_x, previous_y, velocity_x, velocity_y;
-  float force_x, force_y, energy, mass, direction_x, direction_y;
-  float push_x, push_y;
-  uint32_t state, timer, cooldown, flags;
-  uint32_t birthTick, target;
-};
-static_assert(sizeof(EntityRecord) == 88);
 
 // The whole simulated state in canonical form: equal states give equal bytes on every device.
 struct Snapshot {

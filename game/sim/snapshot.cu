@@ -2,6 +2,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "game/sim/entity_copies.h"
 #include "game/sim/snapshot.h"
 
 namespace gw::GW_DEVICE {
@@ -26,11 +27,6 @@ struct FillByArrangement {
     cellOf[arrangement[i]] = i;
   }
 };
-
-template <class T>
-std::vector<T> fetch(const Buffer<T>& buffer) {
-  return buffer.download();
-}
 
 void checkArrangement(const std::vector<uint32_t>& arrangement, uint32_t capacity) {
   std::vector<bool> seen(capacity);
@@ -81,26 +77,13 @@ Snapshot takeSnapshot(const GameState& state, const View& next) {
   state.master.download(&master, 1);
   std::memcpy(snapshot.master.data(), &master, sizeof master);
 
-  const auto cells = fetch(sideOf(state.cells, next.cells));
-  const auto cellOf = fetch(state.cellOf);
-  const auto force = fetch(sideOf(state.forceEnergy, next.forceEnergy));
-  const auto direction = fetch(sideOf(state.directionMass, next.directionMass));
-  const auto motion = fetch(state.velocityPrevious);
-  const auto machine = fetch(state.state);
-  const auto push = fetch(state.push);
-  const auto birth = fetch(state.birthTick), target = fetch(state.target);
+  const EntityCopies copies(state, next, Side::start, Side::start);
   if (isArrangementState(next.near.gather)) {
-    for (const Cell& cell : cells) snapshot.arrangement.push_back(cell.id);
+    for (const Cell& cell : copies.cells) snapshot.arrangement.push_back(cell.id);
   }
   for (uint32_t id = 0; id < next.capacity; ++id) {
-    if (cellOf[id] >= cells.size()) continue;  // damaged; its snapshot is another one
-    const Cell& cell = cells[cellOf[id]];
-    if (cell.type == kTypeNone) continue;
-    snapshot.entities.push_back({id,           cell.type,       cell.x,          cell.y,          motion[id].z,
-                                 motion[id].w, motion[id].x,    motion[id].y,    force[id].x,     force[id].y,
-                                 force[id].w,  direction[id].z, direction[id].x, direction[id].y, push[id].x,
-                                 push[id].y,   machine[id].x,   machine[id].y,   machine[id].z,   machine[id].w,
-                                 birth[id],    target[id]});
+    const EntityRecord e = copies.at(id);
+    if (e.type != kTypeNone) snapshot.entities.push_back(e);
   }
   return snapshot;
 }
@@ -111,33 +94,16 @@ void restoreSnapshot(Queue& queue, GameState& state, const View& next, const Sna
   checkSnapshot(snapshot, tables, state.neighbourhood().gather());
   const uint32_t n = next.capacity;
   std::vector<Cell> now(n), before(n);
-  std::vector<Float4> force(n), direction(n), motion(n);
-  std::vector<Uint4> machine(n);
-  std::vector<Float2> push(n);
-  std::vector<uint32_t> birth(n), target(n);
   for (uint32_t id = 0; id < n; ++id) now[id] = before[id] = {kInfinity, kInfinity, id, kTypeNone};
   for (const EntityRecord& e : snapshot.entities) {
     now[e.id] = {e.x, e.y, e.id, e.type};
     before[e.id] = {e.previous_x, e.previous_y, e.id, e.type};
-    force[e.id] = {e.force_x, e.force_y, 0.0f, e.energy};
-    direction[e.id] = {e.direction_x, e.direction_y, e.mass, 0.0f};
-    motion[e.id] = {e.velocity_x, e.velocity_y, e.previous_x, e.previous_y};
-    machine[e.id] = {e.state, e.timer, e.cooldown, e.flags};
-    push[e.id] = {e.push_x, e.push_y};
-    birth[e.id] = e.birthTick;
-    target[e.id] = e.target;
   }
   const int side = state.cells[0].data() == next.cells ? 0 : 1;
   Master master;
   std::memcpy(&master, snapshot.master.data(), sizeof master);
   state.master.upload(&master, 1);
-  state.forceEnergy[side].upload(force);
-  state.directionMass[side].upload(direction);
-  state.velocityPrevious.upload(motion);
-  state.state.upload(machine);
-  state.push.upload(push);
-  state.birthTick.upload(birth);
-  state.target.upload(target);
+  uploadEntities(state, next, snapshot.entities);
 
   // Neighbours are found over the start of the last tick, as maintain left it; the end of that tick then
   // stands in the same arrangement.

@@ -2,6 +2,7 @@
 // last tick by parent id. Free ids are ranked by a scan over ids, never over cells, so that the NGrid's
 // arrangement cannot be felt. What died leaves its cell here.
 #include "game/sim/behaviour/spawn_patterns.h"
+#include "game/sim/entity_access.h"
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
 
@@ -89,16 +90,20 @@ struct FillIds {
     return begin;
   }
 
-  GW_BODY void bear(uint32_t id, uint32_t cell, uint32_t type, Float2 place, Float2 velocity, Float2 direction,
-                    float energy, float mass, Uint4 state) const {
-    v.cells[cell] = {place.x + 0.0f, place.y + 0.0f, id, type};
-    v.forceEnergy[id] = {0.0f, 0.0f, 0.0f, energy};
-    v.directionMass[id] = {direction.x, direction.y, mass, 0.0f};
-    v.velocityPrevious[id] = {velocity.x, velocity.y, place.x + 0.0f, place.y + 0.0f};
-    v.state[id] = state;
-    v.push[id] = {0.0f, 0.0f};
-    v.birthTick[id] = v.master->tick;
-    v.target[id] = kNobody;
+  // What every newborn has: it stands where it is born, and all else is 0 until its kind says more.
+  GW_BODY EntityRecord newborn(uint32_t id, uint32_t type, Float2 place, Float2 velocity, Float2 direction) const {
+    EntityRecord e{};
+    e.id = id;
+    e.type = type;
+    e.x = e.previous_x = place.x + 0.0f;
+    e.y = e.previous_y = place.y + 0.0f;
+    e.velocity_x = velocity.x;
+    e.velocity_y = velocity.y;
+    e.direction_x = direction.x;
+    e.direction_y = direction.y;
+    e.birthTick = v.master->tick;
+    e.target = kNobody;
+    return e;
   }
 
   GW_BODY void bearShot(uint32_t id, uint32_t cell, const Command& c, uint32_t k) const {
@@ -107,8 +112,13 @@ struct FillIds {
     const SineCosine aim = sineCosine(c.angle_rad + middle * c.spread_rad);
     const float abreast = c.spread_rad > 0.0f ? 0.0f : middle * kAbreast_m;
     const Float2 place = {c.x - aim.sine * abreast, c.y + aim.cosine * abreast};
-    bear(id, cell, kTypeShot, place, {aim.cosine * shot.speed_mps, aim.sine * shot.speed_mps}, {aim.cosine, aim.sine},
-         shot.damage, 0.0f, {0, shot.life_ticks, c.hits, kNobody});
+    EntityRecord e =
+        newborn(id, kTypeShot, place, {aim.cosine * shot.speed_mps, aim.sine * shot.speed_mps}, {aim.cosine, aim.sine});
+    e.energy = shot.damage;
+    e.timer = shot.life_ticks;
+    e.cooldown = c.hits;
+    e.flags = kNobody;
+    putEntity(v, cell, e);
   }
 
   GW_BODY void bearEnemy(uint32_t id, uint32_t cell, const Command& c, uint32_t command, uint32_t k) const {
@@ -116,8 +126,11 @@ struct FillIds {
     const EnemyRules& rules = v.tables->rules.enemies[c.type];
     const Float2 place = birthPlace(c, k, m.seed, m.tick, command, *v.tables);
     const Float2 toShip = normalised(m.ship.x - place.x, m.ship.y - place.y);
-    bear(id, cell, c.type, place, {0.0f, 0.0f}, toShip, rules.energy, rules.mass,
-         {uint32_t(State::wandering), 0, 0, 0});
+    EntityRecord e = newborn(id, c.type, place, {0.0f, 0.0f}, toShip);
+    e.energy = rules.energy;
+    e.mass = rules.mass;
+    e.state = uint32_t(State::wandering);
+    putEntity(v, cell, e);
   }
 
   GW_BODY void bearBit(uint32_t id, uint32_t cell, uint32_t k) const {
@@ -126,8 +139,11 @@ struct FillIds {
     const Uint4 dice = philox(m.seed, {m.tick, k, kPurposeScatter, 0});
     const SineCosine way = sineCosine(unitFloat(dice.x) * kTwoPi);
     const float speed = 2.0f + 4.0f * unitFloat(dice.y);
-    bear(id, cell, kTypeBit, {parent.z, parent.w}, {way.cosine * speed, way.sine * speed}, {way.cosine, way.sine}, 1.0f,
-         0.0f, {0, v.tables->rules.bit.life_ticks, 0, 0});
+    EntityRecord e =
+        newborn(id, kTypeBit, {parent.z, parent.w}, {way.cosine * speed, way.sine * speed}, {way.cosine, way.sine});
+    e.energy = 1.0f;
+    e.timer = v.tables->rules.bit.life_ticks;
+    putEntity(v, cell, e);
   }
 };
 

@@ -14,5 +14,6 @@ void integrate(Queue& queue, const View& view);
 void collide(Queue& queue, const View& view);
 void settle(Queue& queue, const View& view);
 void hash(Queue& queue, const View& view);
+void report(Queue& queue, const View& view);
 
 }  // namespace gw::GW_DEVICE

@@ -35,13 +35,15 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   scratch = Buffer<TickScratch>(queue, 1);
   report = Buffer<TickReport>(queue, 1);
   cellOf = Buffer<uint32_t>(queue, n);
-  velocityPrevious = Buffer<Float4>(queue, n);
-  state = Buffer<Uint4>(queue, n);
-  push = Buffer<Float2>(queue, n);
-  choiceTime = Buffer<float>(queue, n);
-  for (auto* words : {&birthTick, &target, &choice, &chosenBy, &spent, &event}) *words = Buffer<uint32_t>(queue, n);
-  pushSum = Buffer<uint64_t>(queue, 3 * size_t(n));
-  threat = Buffer<uint64_t>(queue, n);
+#define GW_ONE(name, Type) name = Buffer<Type>(queue, n);
+#define GW_TWO(name, next, Type) \
+  for (Buffer<Type> & side : name) side = Buffer<Type>(queue, n);
+#define GW_BUFFER(name, Type, perId, ...) name = Buffer<Type>(queue, perId * size_t(n));
+  GW_STATE_BUFFERS(GW_ONE, GW_TWO)
+  GW_TICK_BUFFERS(GW_BUFFER)
+#undef GW_ONE
+#undef GW_TWO
+#undef GW_BUFFER
 
   const bool arranged = isArrangementState(config.gather);
   const std::vector<uint32_t> ids = arranged ? startArrangement(neighbourhood_.dimensions()) : std::vector<uint32_t>{};
@@ -52,11 +54,9 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
     empty[i] = {kInfinity, kInfinity, id, kTypeNone};
     own[id] = i;
   }
-  for (int side = 0; side < 2; ++side) {
-    cells[side] = Buffer<Cell>(queue, n);
-    cells[side].upload(empty);
-    forceEnergy[side] = Buffer<Float4>(queue, n);
-    directionMass[side] = Buffer<Float4>(queue, n);
+  for (Buffer<Cell>& side : cells) {
+    side = Buffer<Cell>(queue, n);
+    side.upload(empty);
   }
   cellOf.upload(own);
 
@@ -98,23 +98,15 @@ View GameState::view(uint32_t parity) const {
   v.cellOf = cellOf.data();
   v.near = neighbourhood_.searches(v.cells);
   v.seen = neighbourhood_.searches(v.moved);
-  v.forceEnergy = forceEnergy[front].data();
-  v.nextForceEnergy = forceEnergy[back].data();
-  v.directionMass = directionMass[front].data();
-  v.nextDirectionMass = directionMass[back].data();
-  v.velocityPrevious = velocityPrevious.data();
-  v.state = state.data();
-  v.push = push.data();
-  v.birthTick = birthTick.data();
-  v.target = target.data();
+#define GW_ONE(name, Type) v.name = name.data();
+#define GW_TWO(name, next, Type) v.name = name[front].data(), v.next = name[back].data();
+#define GW_BUFFER(name, Type, ...) v.name = name.data();
+  GW_STATE_BUFFERS(GW_ONE, GW_TWO)
+  GW_TICK_BUFFERS(GW_BUFFER)
+#undef GW_ONE
+#undef GW_TWO
+#undef GW_BUFFER
   v.birthScan = birthScan_.view();
-  v.choice = choice.data();
-  v.choiceTime = choiceTime.data();
-  v.chosenBy = chosenBy.data();
-  v.spent = spent.data();
-  v.event = event.data();
-  v.pushSum = pushSum.data();
-  v.threat = threat.data();
   v.capacity = limits_.capacity;
   return v;
 }

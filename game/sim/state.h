@@ -8,6 +8,7 @@
 
 #include "game/sim/behaviour/state_tables.h"
 #include "game/sim/broad_phase.h"
+#include "game/sim/entity_fields.h"
 #include "game/sim/master.h"
 #include "game/sim/simulation.h"
 #include "gpu/math/state_hash.h"
@@ -41,24 +42,16 @@ struct View {
   Searches near;     // over cells
   Searches seen;     // over moved, before integrate overwrites it: last tick's start, what the bots see
 
-  // By id. Enemies, shots and bits use them as noted.
-  Float4 *forceEnergy, *nextForceEnergy;      // force x, y (N); 0; energy (a shot's damage)
-  Float4 *directionMass, *nextDirectionMass;  // unit vector; mass; 0
-  Float4* velocityPrevious;                   // velocity (m/s), place one tick ago (m)
-  Uint4* state;  // State; life left (shots, bits); hits left (shots); EnemyFlag, or a shot's victim before last
-  Float2* push;  // velocity that contact response adds in the next tick (m/s)
-  uint32_t* birthTick;
-  uint32_t* target;  // a shot's last victim, or kNobody
-
-  // By id, within one tick.
+  // By id (game/sim/entity_fields.h): state, and what stands within one tick only.
+#define GW_ONE(name, Type) Type* name;
+#define GW_TWO(name, next, Type) Type *name, *next;
+#define GW_BUFFER(name, Type, ...) Type* name;
+  GW_STATE_BUFFERS(GW_ONE, GW_TWO)
+  GW_TICK_BUFFERS(GW_BUFFER)
+#undef GW_ONE
+#undef GW_TWO
+#undef GW_BUFFER
   ScanView birthScan;  // free ids (low half), own births (high half)
-  uint32_t* choice;    // the victim a shot picked, or kNobody
-  float* choiceTime;   // when in the tick it meets it, 0..1
-  uint32_t* chosenBy;  // how many shots picked this victim
-  uint32_t* spent;     // 1: the shot's hit was taken
-  uint32_t* event;     // EntityEvent bits
-  uint64_t* pushSum;   // [3 * id ...]: x and y of the pushes, and their lengths; fixed point, two's complement
-  uint64_t* threat;    // the nearest shot that comes: ~(squared distance's bits << 32 | id); 0: none
 
   uint32_t capacity;
 };
@@ -66,6 +59,10 @@ struct View {
 // Which of two alternating buffers stands at this address.
 template <class T>
 const Buffer<T>& sideOf(const Buffer<T> (&sides)[2], const T* d_data) {
+  return sides[0].data() == d_data ? sides[0] : sides[1];
+}
+template <class T>
+Buffer<T>& sideOf(Buffer<T> (&sides)[2], const T* d_data) {
   return sides[0].data() == d_data ? sides[0] : sides[1];
 }
 
@@ -112,12 +109,15 @@ class GameState {
   Buffer<TickReport> report;
   Buffer<Cell> cells[2];
   Buffer<uint32_t> cellOf;
-  Buffer<Float4> forceEnergy[2], directionMass[2], velocityPrevious;
-  Buffer<Uint4> state;
-  Buffer<Float2> push;
-  Buffer<uint32_t> birthTick, target, choice, chosenBy, spent, event;
-  Buffer<float> choiceTime;
-  Buffer<uint64_t> pushSum, threat;
+  // By id (game/sim/entity_fields.h).
+#define GW_ONE(name, Type) Buffer<Type> name;
+#define GW_TWO(name, next, Type) Buffer<Type> name[2];
+#define GW_BUFFER(name, Type, ...) Buffer<Type> name;
+  GW_STATE_BUFFERS(GW_ONE, GW_TWO)
+  GW_TICK_BUFFERS(GW_BUFFER)
+#undef GW_ONE
+#undef GW_TWO
+#undef GW_BUFFER
 
  private:
   Limits limits_;

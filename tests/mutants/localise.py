@@ -14,8 +14,8 @@ from workshop import Failed
 DESYNC = 4  # verify's exit status
 LATEST_TICK = 3600  # both sides play up to there: what takes longer to differ gives way to another mutant
 LIMIT_S = 600
-ENTITY_FIELD = re.compile(r'\b(?:whole|real|plain)\(\s*"(\w+)"')
-COLUMNS = "game/sim/state_columns.cu"
+FIELDS = "game/sim/entity_fields.h"
+FIELD, BUFFER = re.compile(r'^  FIELD\(.*?"(\w+)"', re.M), re.compile(r"^  BUFFER\(.*", re.M)
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,9 @@ class Place:
 
 def entity_fields(source):
     """The names of the fields that every entity has; all others are globals."""
-    return set(ENTITY_FIELD.findall(path_of(source, COLUMNS).read_text(encoding="utf-8")))
+    table = path_of(source, FIELDS).read_text(encoding="utf-8")
+    within_tick = [column for row in BUFFER.findall(table) for column in re.findall(r'"(\w+)"', row)[1:]]  # after its stage
+    return {*FIELD.findall(table), *within_tick, "cell"}
 
 
 def misplaced(mutant, tick, status, told, of_entities):

@@ -1,15 +1,21 @@
 """In which stages of a tick a mutant has its first effect, and the order in which mutants are taken to be localised."""
 
+import re
+from pathlib import Path
+
 import mutations  # noqa: F401  makes the gates' modules known
 from kernel_files import key_of
 
-# As step.cu lists them. Autopilot does not run while a replay is verified.
-STAGES = ("logic", "spawn", "maintain", "think", "integrate", "collide", "settle", "hash")
+STEP = Path(__file__).parents[2] / "game/sim/step.cu"
+# As step.cu lists them. Autopilot does not run while a replay is verified, particles feed nothing back.
+STAGES = tuple(name for name in re.findall(r'^    \{"(\w+)", \[\]', STEP.read_text(encoding="utf-8"), re.M)
+               if name not in ("autopilot", "particles"))
 
 # A file of game/sim, by its key (kernel_files.py), that is not a stage itself, or that another stage feels: which stages, and why those.
 FELT_IN = {
     "game/sim/maintain.cu": (("maintain", "think"), "its work is the order of cells, which is no state in an exact game: "
                              "think is the first to look for neighbours in it"),
+    "game/sim/report.cu": (("hash",), "is timed with hash: it adds the globals to its sums"),
     "game/sim/waves.h": (("logic",), "what logic commands"),
     "game/sim/spawn_patterns.h": (("spawn",), "where spawn puts what is born"),
     "game/sim/behaviour.h": (("think",), "what think does in each state"),

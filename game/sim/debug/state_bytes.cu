@@ -1,5 +1,6 @@
-// Every byte of device memory, and what comes of damage to it. Whoever adds a buffer or a member says so here, or it
-// does not compile; tests/game/sim/damage_test.cpp turns over bits of all of them and looks whether it is true.
+// Every byte of device memory, and what damage to it does. Buffers by id follow from game/sim/entity_fields.h; any
+// other new buffer or member is listed here, or this file does not compile. tests/game/sim/damage_test.cpp turns over
+// bits of all of them and checks what this list says.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -36,48 +37,52 @@ constexpr Part kScratch[] = {
      uint32_t(sizeof(TickScratch) - offsetof(TickScratch, fieldHashes) - sizeof(TickScratch::fieldHashes)),
      Standing::rewritten, kWithinTick}};
 constexpr Part kReport[] = {{"all", sizeof(TickReport), Standing::rewritten, "made anew in each tick"}};
-constexpr Part kCells[] = {{"place", 8}, {"id", 4}, {"type", 4}};
+constexpr Part kCells[] = {{"x", 4}, {"y", 4}, {"id", 4}, {"type", 4}};
 constexpr Part kCellsBefore[] = {
     {"all", sizeof(Cell), Standing::rewritten,
      "the start of the last tick, which only bots look at; what they did is recorded, and integrate writes it"}};
 constexpr Part kCellOf[] = {{"all", sizeof(uint32_t)}};
-constexpr Part kForceEnergy[] = {
-    {"force", 8, Standing::ofLiving}, {"third", 4, Standing::unread, kZero}, {"energy", 4, Standing::ofLiving}};
-constexpr Part kForceEnergyBefore[] = {{"all", sizeof(Float4), Standing::rewritten, kOtherSide}};
-constexpr Part kDirectionMass[] = {
-    {"direction", 8, Standing::ofLiving}, {"mass", 4, Standing::ofLiving}, {"fourth", 4, Standing::unread, kZero}};
-constexpr Part kDirectionMassBefore[] = {{"all", sizeof(Float4), Standing::rewritten, kOtherSide}};
-constexpr Part kMotion[] = {{"velocity", 8, Standing::ofLiving}, {"place before", 8, Standing::ofLiving}};
-constexpr Part kState[] = {{"state", 4, Standing::ofLiving},
-                           {"timer", 4, Standing::ofLiving},
-                           {"cooldown", 4, Standing::ofLiving},
-                           {"flags", 4, Standing::ofLiving}};
-constexpr Part kPush[] = {{"all", sizeof(Float2), Standing::ofLiving}};
-constexpr Part kBirthTick[] = {{"all", sizeof(uint32_t), Standing::ofLiving}};
-constexpr Part kTarget[] = {{"all", sizeof(uint32_t), Standing::ofLiving}};
-constexpr Part kWord[] = {{"all", sizeof(uint32_t), Standing::rewritten, kWithinTick}};
-constexpr Part kChoiceTime[] = {{"all", sizeof(float), Standing::rewritten, kWithinTick}};
-constexpr Part kPushSum[] = {{"all", 3 * sizeof(uint64_t), Standing::rewritten, kWithinTick}};
-constexpr Part kThreat[] = {{"all", sizeof(uint64_t), Standing::rewritten, kWithinTick}};
-
-// Adds the parts of one buffer, which fill its elements.
 class Listing {
  public:
+  // The parts of one buffer, which fill its elements.
   template <class T, size_t kCount>
-  void add(const char* name, const Buffer<T>& buffer, const Part (&parts)[kCount], bool byCell = false,
-           uint32_t perElement = 1) {
-    if (bytesOf(parts) != sizeof(T) * perElement)
-      throw std::logic_error(std::string(name) + ": its parts do not fill it");
-    uint8_t* d_bytes = reinterpret_cast<uint8_t*>(buffer.data());
-    const uint32_t stride = uint32_t(sizeof(T)) * perElement;
-    for (const Part& part : parts) {
-      list.push_back({name, part.name, part.standing, part.why, d_bytes, part.bytes, stride,
-                      uint32_t(buffer.size()) / perElement, byCell});
-      d_bytes += part.bytes;
+  void add(const char* name, const Buffer<T>& buffer, const Part (&parts)[kCount], bool byCell = false) {
+    if (bytesOf(parts) != sizeof(T)) throw std::logic_error(std::string(name) + ": its parts do not fill it");
+    uint32_t offset = 0;
+    for (const Part& part : parts) offset += addPart(name, buffer, part, offset, 1, byCell);
+  }
+
+  // A buffer of state by id: the fields that lie in it, and what lies between them.
+  template <class T>
+  void addState(const char* name, const Buffer<T>& buffer, StateBuffer number, size_t offsetInElements) {
+    for (uint32_t offset = 0; offset < sizeof(T);) {
+      Part part{"unused", 4, Standing::unread, kZero};
+      for (const EntityField& field : kEntityFields) {
+        if (field.buffer == number && field.elementOffset - offsetInElements == offset) {
+          part = {field.column, 4, Standing::ofLiving};
+        }
+      }
+      offset += addPart(name, buffer, part, offset, 1, false);
     }
   }
 
+  // A buffer by id that the next tick writes before it reads it.
+  template <class T>
+  void addWhole(const char* name, const Buffer<T>& buffer, const char* why, uint32_t perId = 1) {
+    addPart(name, buffer, {"all", perId * uint32_t(sizeof(T)), Standing::rewritten, why}, 0, perId, false);
+  }
+
   std::vector<BytesOfBuffer> list;
+
+ private:
+  // Returns its bytes.
+  template <class T>
+  uint32_t addPart(const char* name, const Buffer<T>& buffer, const Part& part, uint32_t offset, uint32_t perElement,
+                   bool byCell) {
+    list.push_back({name, part.name, part.standing, part.why, reinterpret_cast<uint8_t*>(buffer.data()) + offset,
+                    part.bytes, uint32_t(sizeof(T)) * perElement, uint32_t(buffer.size()) / perElement, byCell});
+    return part.bytes;
+  }
 };
 
 #define GW_FILLS(parts, T) static_assert(bytesOf(parts) == sizeof(T))
@@ -88,23 +93,14 @@ GW_FILLS(kReport, TickReport);
 GW_FILLS(kCells, Cell);
 GW_FILLS(kCellsBefore, Cell);
 GW_FILLS(kCellOf, uint32_t);
-GW_FILLS(kForceEnergy, Float4);
-GW_FILLS(kForceEnergyBefore, Float4);
-GW_FILLS(kDirectionMass, Float4);
-GW_FILLS(kDirectionMassBefore, Float4);
-GW_FILLS(kMotion, Float4);
-GW_FILLS(kState, Uint4);
-GW_FILLS(kPush, Float2);
-GW_FILLS(kBirthTick, uint32_t);
-GW_FILLS(kTarget, uint32_t);
-GW_FILLS(kWord, uint32_t);
-GW_FILLS(kChoiceTime, float);
-GW_FILLS(kPushSum, uint64_t[3]);
-GW_FILLS(kThreat, uint64_t);
 #undef GW_FILLS
 
 // GameState has these buffers and what is derived from them, and nothing else: a new one changes its size.
-constexpr size_t kBuffers = 23;
+#define GW_COUNT_ONE(...) +1
+#define GW_COUNT_TWO(...) +2
+constexpr size_t kBuffers = 7 GW_STATE_BUFFERS(GW_COUNT_ONE, GW_COUNT_TWO) GW_TICK_BUFFERS(GW_COUNT_ONE);
+#undef GW_COUNT_ONE
+#undef GW_COUNT_TWO
 struct Known {
   Buffer<uint32_t> buffers[kBuffers];
   Limits limits;
@@ -150,22 +146,16 @@ std::vector<BytesOfBuffer> bytesOf(Queue& queue, const GameState& state, const V
   all.add("cells", sideOf(state.cells, v.moved), kCells, true);
   all.add("cells before", sideOf(state.cells, v.cells), kCellsBefore, true);
   all.add("cellOf", state.cellOf, kCellOf);
-  all.add("forceEnergy", sideOf(state.forceEnergy, v.nextForceEnergy), kForceEnergy);
-  all.add("forceEnergy before", sideOf(state.forceEnergy, v.forceEnergy), kForceEnergyBefore);
-  all.add("directionMass", sideOf(state.directionMass, v.nextDirectionMass), kDirectionMass);
-  all.add("directionMass before", sideOf(state.directionMass, v.directionMass), kDirectionMassBefore);
-  all.add("velocityPrevious", state.velocityPrevious, kMotion);
-  all.add("state", state.state, kState);
-  all.add("push", state.push, kPush);
-  all.add("birthTick", state.birthTick, kBirthTick);
-  all.add("target", state.target, kTarget);
-  all.add("choice", state.choice, kWord);
-  all.add("choiceTime", state.choiceTime, kChoiceTime);
-  all.add("chosenBy", state.chosenBy, kWord);
-  all.add("spent", state.spent, kWord);
-  all.add("event", state.event, kWord);
-  all.add("pushSum", state.pushSum, kPushSum, false, 3);
-  all.add("threat", state.threat, kThreat);
+#define GW_ONE(name, Type) all.addState(#name, state.name, StateBuffer::name, offsetof(EntityElements, name));
+#define GW_TWO(name, next, Type)                                                                      \
+  all.addState(#name, sideOf(state.name, v.next), StateBuffer::name, offsetof(EntityElements, name)); \
+  all.addWhole(#name " before", sideOf(state.name, v.name), kOtherSide);
+#define GW_BUFFER(name, Type, perId, ...) all.addWhole(#name, state.name, kWithinTick, perId);
+  GW_STATE_BUFFERS(GW_ONE, GW_TWO)
+  GW_TICK_BUFFERS(GW_BUFFER)
+#undef GW_ONE
+#undef GW_TWO
+#undef GW_BUFFER
   addDerived(queue, all);
   return all.list;
 }

@@ -26,6 +26,7 @@ class hash : public ::testing::Test {
     // As integrate would leave those who do not move.
     on.state().cells[1].upload(on.state().cells[0].download());
     cpu::hash(on.queue(), on.view());
+    cpu::report(on.queue(), on.view());
     return on.state().report.download()[0];
   }
 };
@@ -112,6 +113,7 @@ TEST_F(hash, neither_the_arrangement_nor_the_order_of_visits_is_felt) {
   std::iota(own.begin(), own.end(), 0u);
   fixture.state().cellOf.upload(own);
   cpu::hash(fixture.queue(), fixture.view());
+  cpu::report(fixture.queue(), fixture.view());
   const TickReport report = fixture.state().report.download()[0];
   EXPECT_EQ(report.hash, wanted);
 }

@@ -19,6 +19,7 @@ SimulationConfig configWith(Gather gather) {
 
 uint64_t hashOf(StageFixture& fixture) {
   cpu::hash(fixture.queue(), fixture.view());
+  cpu::report(fixture.queue(), fixture.view());
   return fixture.state().report.download()[0].hash;
 }
 

@@ -1,36 +1,13 @@
 #include "tests/game/sim/stage_fixture.h"
 
-#include <cstddef>
 #include <cstring>
 
+#include "game/sim/entity_copies.h"
 #include "game/sim/snapshot.h"
 #include "game/tables/tables.h"
 
 namespace gw::test {
 namespace {
-
-struct Field {
-  const char* name;
-  size_t offset;
-  bool isFloat;
-};
-
-#define GW_FLOAT(type, name) \
-  { #name, offsetof(type, name), true }
-#define GW_WORD(type, name) \
-  { #name, offsetof(type, name), false }
-constexpr Field kEntityFields[] = {
-    GW_WORD(EntityRecord, id),           GW_WORD(EntityRecord, type),         GW_FLOAT(EntityRecord, x),
-    GW_FLOAT(EntityRecord, y),           GW_FLOAT(EntityRecord, previous_x),  GW_FLOAT(EntityRecord, previous_y),
-    GW_FLOAT(EntityRecord, velocity_x),  GW_FLOAT(EntityRecord, velocity_y),  GW_FLOAT(EntityRecord, force_x),
-    GW_FLOAT(EntityRecord, force_y),     GW_FLOAT(EntityRecord, energy),      GW_FLOAT(EntityRecord, mass),
-    GW_FLOAT(EntityRecord, direction_x), GW_FLOAT(EntityRecord, direction_y), GW_FLOAT(EntityRecord, push_x),
-    GW_FLOAT(EntityRecord, push_y),      GW_WORD(EntityRecord, state),        GW_WORD(EntityRecord, timer),
-    GW_WORD(EntityRecord, cooldown),     GW_WORD(EntityRecord, flags),        GW_WORD(EntityRecord, birthTick),
-    GW_WORD(EntityRecord, target)};
-static_assert(sizeof kEntityFields / sizeof kEntityFields[0] * 4 == sizeof(EntityRecord), "a field is missing");
-#undef GW_FLOAT
-#undef GW_WORD
 
 template <class T>
 T at(const void* record, size_t offset) {
@@ -96,23 +73,13 @@ void StageFixture::begin(const naive::World& world) {
 }
 
 std::vector<EntityRecord> StageFixture::entities(bool afterThink, bool afterIntegrate) const {
-  const auto cells = state_.cells[afterIntegrate ? 1 : 0].download();
-  const auto force = state_.forceEnergy[afterThink ? 1 : 0].download();
-  const auto direction = state_.directionMass[afterThink ? 1 : 0].download();
-  const auto cellOf = state_.cellOf.download(), birth = state_.birthTick.download(), target = state_.target.download();
-  const auto motion = state_.velocityPrevious.download();
-  const auto machine = state_.state.download();
-  const auto push = state_.push.download();
+  const auto side = [](bool after) { return after ? cpu::Side::end : cpu::Side::start; };
+  const cpu::EntityCopies copies(state_, view_, side(afterIntegrate), side(afterThink));
   std::vector<EntityRecord> found;
-  for (uint32_t id = 0; id < cells.size(); ++id) {
-    const Cell& cell = cells[cellOf[id]];
-    EXPECT_EQ(cell.id, id);
-    if (cell.type == kTypeNone) continue;
-    found.push_back({id,           cell.type,       cell.x,          cell.y,          motion[id].z,
-                     motion[id].w, motion[id].x,    motion[id].y,    force[id].x,     force[id].y,
-                     force[id].w,  direction[id].z, direction[id].x, direction[id].y, push[id].x,
-                     push[id].y,   machine[id].x,   machine[id].y,   machine[id].z,   machine[id].w,
-                     birth[id],    target[id]});
+  for (uint32_t id = 0; id < view_.capacity; ++id) {
+    const EntityRecord e = copies.at(id);
+    EXPECT_EQ(e.id, id);
+    if (e.type != kTypeNone) found.push_back(e);
   }
   return found;
 }
@@ -138,13 +105,13 @@ void StageFixture::setInput(const InputRecord& input) {
 
 ::testing::AssertionResult same(const std::vector<EntityRecord>& is, const std::vector<EntityRecord>& wanted) {
   for (size_t i = 0; i < is.size() && i < wanted.size(); ++i) {
-    for (const Field& field : kEntityFields) {
-      if (at<uint32_t>(&is[i], field.offset) == at<uint32_t>(&wanted[i], field.offset)) continue;
+    for (const EntityField& field : kEntityFields) {
+      const size_t offset = field.recordOffset;
+      if (at<uint32_t>(&is[i], offset) == at<uint32_t>(&wanted[i], offset)) continue;
       auto failure = ::testing::AssertionFailure()
-                     << "entity " << wanted[i].id << " of type " << wanted[i].type << ", " << field.name << ": ";
-      if (field.isFloat)
-        return failure << at<float>(&is[i], field.offset) << ", not " << at<float>(&wanted[i], field.offset);
-      return failure << at<uint32_t>(&is[i], field.offset) << ", not " << at<uint32_t>(&wanted[i], field.offset);
+                     << "entity " << wanted[i].id << " of type " << wanted[i].type << ", " << field.column << ": ";
+      if (field.isFloat) return failure << at<float>(&is[i], offset) << ", not " << at<float>(&wanted[i], offset);
+      return failure << at<uint32_t>(&is[i], offset) << ", not " << at<uint32_t>(&wanted[i], offset);
     }
   }
   if (is.size() != wanted.size()) {
