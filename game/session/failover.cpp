@@ -7,7 +7,7 @@
 namespace gw {
 
 Failover::Failover(std::unique_ptr<Simulation> first, Make next, std::function<void(const std::string&)> tell)
-    : device_(std::move(first)), next_(std::move(next)), tell_(std::move(tell)) {}
+    : ForwardingSimulation(std::move(first)), next_(std::move(next)), tell_(std::move(tell)) {}
 
 // What work() did on the device that failed it does again on the next one.
 template <class Work>
@@ -87,18 +87,6 @@ void Failover::restore(const Snapshot& snapshot) {
   if (!next_) return;
   kept_ = snapshot;
   forgetInputs();
-}
-
-void Failover::drawList(const DrawView& view, const DrawTarget& target) {
-  device_->drawList(view, target);
-}
-
-void Failover::particleList(const DrawView& view, float sinceTick_ticks, const ParticleTarget& target) {
-  device_->particleList(view, sinceTick_ticks, target);
-}
-
-std::vector<Particle> Failover::particles() const {
-  return device_->particles();
 }
 
 std::optional<EntityRecord> Failover::inspect(float x, float y, float radius_m) {

@@ -11,11 +11,11 @@
 #include <deque>
 #include <functional>
 
-#include "game/sim/simulation.h"
+#include "game/sim/forwarding_simulation.h"
 
 namespace gw {
 
-class Failover : public Simulation {
+class Failover : public ForwardingSimulation {
  public:
   using Make = std::function<std::unique_ptr<Simulation>()>;
 
@@ -26,26 +26,13 @@ class Failover : public Simulation {
   TickReport report() override;
   Snapshot snapshot() override;
   void restore(const Snapshot& snapshot) override;
-  // These two throw the device's DeviceError: their targets are of no use to the next one. See dropDevice().
-  void drawList(const DrawView& view, const DrawTarget& target) override;
-  void particleList(const DrawView& view, float sinceTick_ticks, const ParticleTarget& target) override;
-  std::vector<Particle> particles() const override;
+  // drawList() and particleList() throw the device's DeviceError: their targets are of no use to the next one. See
+  // dropDevice().
   std::optional<EntityRecord> inspect(float x, float y, float radius_m) override;
   CandidateCount countCandidates() override;
   Census census() override;
   void enableStageTimes(bool on) override;
   bool timesStages() const override { return timed_; }
-  std::vector<StageTime> stageTimes() const override { return device_->stageTimes(); }
-  Inspection& inspection() override { return device_->inspection(); }
-  uint32_t launchesPerTick() const override { return device_->launchesPerTick(); }
-  const SimulationConfig& config() const override { return device_->config(); }
-  size_t deviceBytes() const override { return device_->deviceBytes(); }
-  uint32_t capacity() const override { return device_->capacity(); }
-  float worldWidth_m() const override { return device_->worldWidth_m(); }
-  float worldHeight_m() const override { return device_->worldHeight_m(); }
-  std::string deviceName() const override { return device_->deviceName(); }
-  bool onCuda() const override { return device_->onCuda(); }
-  void park() override { device_->park(); }
   // Throws DeviceError when there is no next one: the second failure is the last.
   void dropDevice(const std::string& why) override;
   std::string dropped() const override { return why_; }
@@ -60,7 +47,6 @@ class Failover : public Simulation {
   void readAhead();
   void forgetInputs();
 
-  std::unique_ptr<Simulation> device_;
   Make next_;
   std::function<void(const std::string&)> tell_;
   std::string why_;

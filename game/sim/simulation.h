@@ -164,6 +164,15 @@ struct Census {
   std::optional<uint32_t> misaligned{};
 };
 
+// What a simulation is, for as long as its device lives.
+struct SimulationFacts {
+  SimulationConfig config;  // what it was made of: enough to make the same game again
+  uint32_t capacity = 0;    // ids
+  float worldWidth_m = 0, worldHeight_m = 0;
+  std::string deviceName;
+  bool onCuda = false;  // draw targets are addresses of the cuda device; else of the host
+};
+
 class Inspection;
 
 class Simulation {
@@ -210,15 +219,16 @@ class Simulation {
   // Kernels of the last tick that was put together. Copies of the records and events are nodes beside them.
   virtual uint32_t launchesPerTick() const = 0;
 
-  // What it was made of: enough to make the same game again.
-  virtual const SimulationConfig& config() const = 0;
   virtual size_t deviceBytes() const = 0;  // of the device's memory, held now
-  virtual uint32_t capacity() const = 0;   // ids
-  virtual float worldWidth_m() const = 0;
-  virtual float worldHeight_m() const = 0;
-  virtual std::string deviceName() const = 0;
-  // Whether draw targets are addresses of the cuda device; else of the host.
-  virtual bool onCuda() const = 0;
+
+  virtual const SimulationFacts& facts() const = 0;
+  const SimulationConfig& config() const { return facts().config; }
+  uint32_t capacity() const { return facts().capacity; }
+  float worldWidth_m() const { return facts().worldWidth_m; }
+  float worldHeight_m() const { return facts().worldHeight_m; }
+  const std::string& deviceName() const { return facts().deviceName; }
+  bool onCuda() const { return facts().onCuda; }
+
   // Gives up the device, for a reason that its users met; throws DeviceError with that reason when nothing can take
   // its place (game/session/failover.h).
   virtual void dropDevice(const std::string& why);

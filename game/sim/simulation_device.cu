@@ -35,10 +35,11 @@ std::string nameOf(const Queue& queue) {
 class DeviceSimulation final : public Simulation, private Inspection {
  public:
   explicit DeviceSimulation(const SimulationConfig& config)
-      : config_(config),
-        queue_({config.threads, config.order, config.protectMemory, config.blockSize, config.checkLaunches}),
-        deviceName_(nameOf(queue_)),
+      : queue_({config.threads, config.order, config.protectMemory, config.blockSize, config.checkLaunches}),
         state_(queue_, config),
+        facts_{config,         state_.limits().capacity, state_.limits().width_m, state_.limits().height_m,
+               nameOf(queue_), GW_ON_CUDA != 0},
+        config_(facts_.config),
         inputs_(queue_, kTicksInFlight),
         reports_(queue_, kTicksInFlight),
         drawList_(queue_, state_.limits().capacity),
@@ -142,22 +143,12 @@ class DeviceSimulation final : public Simulation, private Inspection {
   Inspection& inspection() override { return *this; }
 
   uint32_t launchesPerTick() const override { return launchesPerTick_; }
-  const SimulationConfig& config() const override { return config_; }
   size_t deviceBytes() const override { return queue_.bytes; }
-  uint32_t capacity() const override { return state_.limits().capacity; }
-  float worldWidth_m() const override { return state_.limits().width_m; }
-  float worldHeight_m() const override { return state_.limits().height_m; }
+  const SimulationFacts& facts() const override { return facts_; }
 
-  std::string deviceName() const override { return deviceName_; }
 #if GW_ON_CUDA
-  bool onCuda() const override {
-    return true;
-  }
   void park() override {}
 #else
-  bool onCuda() const override {
-    return false;
-  }
   void park() override {
     queue_.pool.park();
   }
@@ -253,10 +244,10 @@ class DeviceSimulation final : public Simulation, private Inspection {
     return state_.view(launched_ % 2);
   }
 
-  SimulationConfig config_;
   Queue queue_;
-  std::string deviceName_;
   GameState state_;
+  const SimulationFacts facts_;
+  const SimulationConfig& config_;
   RecordRing<InputRecord> inputs_;
   RecordRing<TickReport> reports_;
   StageTimer timer_;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "game/sim/debug/inspection.h"
+#include "game/sim/forwarding_simulation.h"
 
 namespace gw::test {
 
@@ -13,10 +14,12 @@ struct DamageAt {
   std::function<void(Inspection&)> damage;
 };
 
-class DamagedSimulation final : public Simulation, private Inspection {
+class DamagedSimulation final : public ForwardingSimulation, private Inspection {
  public:
   DamagedSimulation(const SimulationConfig& config, DamageAt at)
-      : real_(cpu::makeSimulation(config)), at_(std::move(at)) {}
+      : ForwardingSimulation(cpu::makeSimulation(config)), at_(std::move(at)), facts_(device_->facts()) {
+    facts_.deviceName = "damaged";
+  }
 
   // One at a time: a report is always of the last tick.
   void tick(const InputRecord& input) override {
@@ -27,33 +30,12 @@ class DamagedSimulation final : public Simulation, private Inspection {
     reports_.erase(reports_.begin());
     return oldest;
   }
-  Snapshot snapshot() override { return real_->snapshot(); }
-  void restore(const Snapshot& snapshot) override { real_->restore(snapshot); }
-  void drawList(const DrawView& view, const DrawTarget& target) override { real_->drawList(view, target); }
-  void particleList(const DrawView& view, float since, const ParticleTarget& target) override {
-    real_->particleList(view, since, target);
-  }
-  std::vector<Particle> particles() const override { return real_->particles(); }
-  std::optional<EntityRecord> inspect(float x, float y, float r) override { return real_->inspect(x, y, r); }
-  CandidateCount countCandidates() override { return real_->countCandidates(); }
-  Census census() override { return real_->census(); }
   Inspection& inspection() override { return *this; }
-  void enableStageTimes(bool on) override { real_->enableStageTimes(on); }
-  bool timesStages() const override { return real_->timesStages(); }
-  std::vector<StageTime> stageTimes() const override { return real_->stageTimes(); }
-  uint32_t launchesPerTick() const override { return real_->launchesPerTick(); }
-  const SimulationConfig& config() const override { return real_->config(); }
-  size_t deviceBytes() const override { return real_->deviceBytes(); }
-  uint32_t capacity() const override { return real_->capacity(); }
-  float worldWidth_m() const override { return real_->worldWidth_m(); }
-  float worldHeight_m() const override { return real_->worldHeight_m(); }
-  std::string deviceName() const override { return "damaged"; }
-  bool onCuda() const override { return false; }
-  void park() override { real_->park(); }
+  const SimulationFacts& facts() const override { return facts_; }
 
  private:
   TickReport tickByStages(const InputRecord& input, const AfterStage& after) override {
-    Inspection& inside = real_->inspection();
+    Inspection& inside = device_->inspection();
     bool damages = false;
     return inside.tickByStages(input, [&](const std::string& stage) {
       if (stage == at_.stage) {
@@ -67,15 +49,15 @@ class DamagedSimulation final : public Simulation, private Inspection {
     });
   }
   StageState stateAfter(const std::string& stage, const StageState* before) override {
-    return real_->inspection().stateAfter(stage, before);
+    return device_->inspection().stateAfter(stage, before);
   }
-  std::vector<BytesOfBuffer> bytes() override { return real_->inspection().bytes(); }
+  std::vector<BytesOfBuffer> bytes() override { return device_->inspection().bytes(); }
   void flip(const BytesOfBuffer& part, uint32_t element, uint32_t bit) override {
-    real_->inspection().flip(part, element, bit);
+    device_->inspection().flip(part, element, bit);
   }
 
-  std::unique_ptr<Simulation> real_;
   DamageAt at_;
+  SimulationFacts facts_;
   std::vector<TickReport> reports_;
 };
 

@@ -12,44 +12,25 @@ namespace {
 constexpr uint32_t kTicks = 150;
 
 // A device on which the nth call fails, and every later one: it is a cpu device up to there.
-class FailingDevice final : public Simulation {
+class FailingDevice final : public ForwardingSimulation {
  public:
-  FailingDevice(const SimulationConfig& config, uint64_t fails) : real_(cpu::makeSimulation(config)), fails_(fails) {}
-
-  void tick(const InputRecord& input) override { call().tick(input); }
-  TickReport report() override { return call().report(); }
-  Snapshot snapshot() override { return call().snapshot(); }
-  void restore(const Snapshot& snapshot) override { call().restore(snapshot); }
-  void drawList(const DrawView& view, const DrawTarget& target) override { call().drawList(view, target); }
-  void particleList(const DrawView&, float, const ParticleTarget&) override { call(); }
-  std::vector<Particle> particles() const override { return real_->particles(); }
-  std::optional<EntityRecord> inspect(float x, float y, float radius_m) override {
-    return call().inspect(x, y, radius_m);
+  FailingDevice(const SimulationConfig& config, uint64_t fails)
+      : ForwardingSimulation(cpu::makeSimulation(config)), fails_(fails), facts_(device_->facts()) {
+    facts_.deviceName = "failing";
+    facts_.onCuda = true;
   }
-  CandidateCount countCandidates() override { return call().countCandidates(); }
-  Census census() override { return call().census(); }
-  Inspection& inspection() override { return call().inspection(); }
-  void enableStageTimes(bool on) override { call().enableStageTimes(on); }
-  bool timesStages() const override { return real_->timesStages(); }
-  std::vector<StageTime> stageTimes() const override { return real_->stageTimes(); }
-  uint32_t launchesPerTick() const override { return real_->launchesPerTick(); }
-  const SimulationConfig& config() const override { return real_->config(); }
-  size_t deviceBytes() const override { return real_->deviceBytes(); }
-  uint32_t capacity() const override { return real_->capacity(); }
-  float worldWidth_m() const override { return real_->worldWidth_m(); }
-  float worldHeight_m() const override { return real_->worldHeight_m(); }
-  std::string deviceName() const override { return "failing"; }
-  bool onCuda() const override { return true; }
+
+  const SimulationFacts& facts() const override { return facts_; }
   void park() override {}
 
  private:
-  Simulation& call() {
+  Simulation& device() override {
     if (++calls_ >= fails_) throw DeviceError("the device is gone");
-    return *real_;
+    return *device_;
   }
 
-  std::unique_ptr<Simulation> real_;
   uint64_t fails_, calls_ = 0;
+  SimulationFacts facts_;
 };
 
 class FailoverTest : public testing::Test {
