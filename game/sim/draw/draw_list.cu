@@ -6,22 +6,15 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-constexpr uint32_t kLayers = 4, kBlock = 1024, kNoLayer = kLayers;
+constexpr uint32_t kLayers = DrawList::kLayers, kNoLayer = kLayers;
 constexpr float kLargestSprite = 3.2f;  // an announced enemy's outline, in half extents, with its glow
 
-// One item: one id. 1 << (16 * layer) when it shows, so that one sum counts all layers of a block.
-struct FindLayers {
-  uint64_t* layerBits;
+// The layer in which an id is drawn, or kNoLayer.
+struct LayerOf {
   View v;
   DrawView window;
 
-  GW_BODY void operator()(uint32_t id) const {
-    const uint32_t layer = layerOf(id);
-    layerBits[id] = layer == kNoLayer ? 0ull : 1ull << (16 * layer);
-  }
-
- private:
-  GW_BODY uint32_t layerOf(uint32_t id) const {
+  GW_BODY uint32_t operator()(uint32_t id) const {
     const Cell cell = v.cells[v.cellOf[id]];
     if (cell.type == kTypeNone) return kNoLayer;
     const float past_m = larger(1.0f, kLargestSprite * v.tables->limits.largestReach_m);
@@ -32,73 +25,57 @@ struct FindLayers {
     if (cell.type == kTypeBit) return 0;
     if (cell.type == kTypeShot) return 1;
     if (v.state[id].x == uint32_t(State::dead)) return kNoLayer;
-    return v.master->tick - v.birthTick[id] < v.tables->rules.world.announced_ticks ? 2 : 3;
+    return isAnnounced(v, id) ? 2 : 3;
   }
 };
 
-// One item: one block of ids. Prefix sums within the block, and the block's counts by layer.
-struct CountBlocks {
-  uint64_t* within;
-  uint32_t* blockFirst;
-  const uint64_t* layerBits;
-  uint32_t capacity, blocks;
+// Of one id: 1 in the half of its layer, when that is one of these two.
+struct CountTwoLayers {
+  LayerOf layerOf;
+  uint32_t lower;
 
-  GW_BODY void operator()(uint32_t block) const {
-    uint64_t sum = 0;
-    for (uint32_t id = block * kBlock; id < (block + 1) * kBlock && id < capacity; ++id) {
-      within[id] = sum;
-      sum += layerBits[id];
-    }
-    for (uint32_t layer = 0; layer < kLayers; ++layer) {
-      blockFirst[layer * blocks + block] = uint32_t(sum >> (16 * layer)) & 0xFFFFu;
-    }
+  GW_BODY uint64_t operator()(uint32_t id) const {
+    const uint32_t layer = layerOf(id);
+    return layer == lower ? 1ull : layer == lower + 1 ? 1ull << 32 : 0ull;
   }
 };
 
-// One item in all: where each layer's share of each block begins, and how many sprites there are.
-struct PlaceBlocks {
-  uint32_t* blockFirst;  // one more at the end: how many sprites are left out at the bottom
-  DrawTarget target;
-  uint32_t blocks;
+// How many sprites of a layer there are before an id, and in all.
+struct LayerCounts {
+  ScanView twoLayers[kLayers / 2];
 
-  GW_BODY void operator()(uint32_t) const {
-    uint32_t sum = 0;
-    for (uint32_t b = 0; b < kLayers * blocks; ++b) {
-      const uint32_t own = blockFirst[b];
-      blockFirst[b] = sum;
-      sum += own;
-    }
-    const uint32_t sprites = sum + 1;  // and the ship
-    const uint32_t left = sprites > target.vertexCapacity ? sprites - target.vertexCapacity : 0;
-    blockFirst[kLayers * blocks] = left;
-    blockFirst[kLayers * blocks + 1] = sum;
-    *target.command = {4, sprites - left, 0, 0};
+  GW_MEMBER uint32_t before(uint32_t layer, uint32_t id) const {
+    return uint32_t(twoLayers[layer / 2].before(id) >> 32 * (layer % 2));
   }
+  GW_MEMBER uint32_t total(uint32_t layer) const { return uint32_t(twoLayers[layer / 2].total() >> 32 * (layer % 2)); }
 };
 
-// One item: one id, or the ship at the end.
+// One item: one id, or the ship at the end, which also writes the command.
 struct WriteSprites {
   DrawTarget target;
-  const uint64_t* layerBits;
-  const uint64_t* within;
-  const uint32_t* blockFirst;
+  LayerOf layerOf;
+  LayerCounts counts;
   View v;
-  uint32_t blocks;
   Colouring colouring;
 
   GW_BODY void operator()(uint32_t id) const {
-    const uint32_t left = blockFirst[kLayers * blocks];
+    const uint32_t layer = id == v.capacity ? kLayers : layerOf(id);
+    if (layer == kNoLayer && id != v.capacity) return;
+    uint32_t below = 0, entities = 0;
+    for (uint32_t l = 0; l < kLayers; ++l) {
+      const uint32_t total = counts.total(l);
+      if (l < layer) below += total;
+      entities += total;
+    }
+    const uint32_t sprites = entities + 1;                                                           // and the ship
+    const uint32_t leftOut = sprites > target.vertexCapacity ? sprites - target.vertexCapacity : 0;  // at the bottom
     if (id == v.capacity) {
-      if (target.vertexCapacity > 0) target.vertices[blockFirst[kLayers * blocks + 1] - left] = ship();
+      *target.command = {4, sprites - leftOut, 0, 0};
+      if (target.vertexCapacity > 0) target.vertices[entities - leftOut] = ship();
       return;
     }
-    const uint64_t bit = layerBits[id];
-    if (bit == 0) return;
-    uint32_t layer = 0;
-    while (bit >> (16 * layer) != 1ull) ++layer;
-    const uint32_t rank = uint32_t(within[id] >> (16 * layer)) & 0xFFFFu;
-    const uint32_t place = blockFirst[layer * blocks + id / kBlock] + rank;
-    if (place >= left) target.vertices[place - left] = sprite(id);
+    const uint32_t place = below + counts.before(layer, id);
+    if (place >= leftOut) target.vertices[place - leftOut] = sprite(id);
   }
 
  private:
@@ -164,19 +141,18 @@ struct WriteSprites {
 
 }  // namespace
 
-DrawList::DrawList(Queue& queue, uint32_t capacity)
-    : capacity_(capacity),
-      layerBits_(queue, capacity),
-      within_(queue, capacity),
-      blockFirst_(queue, kLayers * ((capacity + kBlock - 1) / kBlock) + 2) {}
+DrawList::DrawList(Queue& queue, uint32_t capacity) : capacity_(capacity) {
+  for (Scan& scan : twoLayers_) scan = Scan(queue, capacity);
+}
 
 void DrawList::run(Queue& queue, const View& view, const DrawView& window, const DrawTarget& target) {
-  const uint32_t blocks = (capacity_ + kBlock - 1) / kBlock;
-  forEach(queue, Count{capacity_}, FindLayers{layerBits_.data(), view, window});
-  forEach(queue, Count{blocks}, CountBlocks{within_.data(), blockFirst_.data(), layerBits_.data(), capacity_, blocks});
-  forEach(queue, Count{1}, PlaceBlocks{blockFirst_.data(), target, blocks});
-  forEach(queue, Count{capacity_ + 1},
-          WriteSprites{target, layerBits_.data(), within_.data(), blockFirst_.data(), view, blocks, window.colouring});
+  const LayerOf layerOf{view, window};
+  LayerCounts counts;
+  for (uint32_t pair = 0; pair < kLayers / 2; ++pair) {
+    twoLayers_[pair].run(queue, CountTwoLayers{layerOf, 2 * pair});
+    counts.twoLayers[pair] = twoLayers_[pair].view();
+  }
+  forEach(queue, Count{capacity_ + 1}, WriteSprites{target, layerOf, counts, view, window.colouring});
 }
 
 }  // namespace gw::GW_DEVICE

@@ -10,6 +10,8 @@ namespace gw::GW_DEVICE {
 // id. When more is in view than the target holds, the bottom layers give way.
 class DrawList {
  public:
+  static constexpr uint32_t kLayers = 4;
+
   DrawList() = default;
   DrawList(Queue& queue, uint32_t capacity);
 
@@ -19,8 +21,7 @@ class DrawList {
 
  private:
   uint32_t capacity_ = 0;
-  Buffer<uint64_t> layerBits_, within_;
-  Buffer<uint32_t> blockFirst_;  // [layer][block]
+  Scan twoLayers_[kLayers / 2];  // counts of two layers each
 };
 
 }  // namespace gw::GW_DEVICE
