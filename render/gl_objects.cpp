@@ -23,8 +23,11 @@ std::runtime_error shaderError(const std::string& what) {
                             "; put it back from the GpuWars package, or update the graphics driver.");
 }
 
-GLuint compileShader(GLenum stage, const std::filesystem::path& assets, const std::string& file) {
-  const std::string source = readAsset(assets, file);
+GLuint compileShader(GLenum stage, const std::filesystem::path& assets, const std::string& file,
+                     const std::string& defines) {
+  std::string source = readAsset(assets, file);
+  const size_t firstLine = source.find('\n');  // #version, which has to come first
+  if (!defines.empty() && firstLine != std::string::npos) source.insert(firstLine + 1, defines + "#line 2\n");
   const char* text = source.c_str();
   const GLuint shader = glCreateShader(stage);
   glShaderSource(shader, 1, &text, nullptr);
@@ -129,12 +132,12 @@ GlFramebuffer makeGlFramebuffer(const GlTexture& colour) {
 }
 
 GlProgram makeGlProgram(const std::filesystem::path& assets, const std::string& vertexShader,
-                        const std::string& fragmentShader) {
+                        const std::string& fragmentShader, const std::string& defines) {
   GlProgram program(glCreateProgram());
-  const GLuint vertex = compileShader(GL_VERTEX_SHADER, assets, vertexShader);
+  const GLuint vertex = compileShader(GL_VERTEX_SHADER, assets, vertexShader, defines);
   glAttachShader(program.get(), vertex);
   glDeleteShader(vertex);  // lives on as long as the program holds it
-  const GLuint fragment = compileShader(GL_FRAGMENT_SHADER, assets, fragmentShader);
+  const GLuint fragment = compileShader(GL_FRAGMENT_SHADER, assets, fragmentShader, defines);
   glAttachShader(program.get(), fragment);
   glDeleteShader(fragment);
   glLinkProgram(program.get());

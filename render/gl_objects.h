@@ -61,9 +61,10 @@ GlTexture makeGlTexture(PixelSize size, GLenum internalFormat, GLenum format, co
 GlFramebuffer makeGlFramebuffer(const GlTexture& colour);
 
 // Compiles and links two shaders, e.g. "shaders/sprite.vert" and "shaders/sprite.frag" in the folder of
-// assets. Throws std::runtime_error naming the file and the line that the driver complains about.
+// assets, each with these lines of #define after its first line. Throws std::runtime_error naming the file and the line
+// that the driver complains about.
 GlProgram makeGlProgram(const std::filesystem::path& assets, const std::string& vertexShader,
-                        const std::string& fragmentShader);
+                        const std::string& fragmentShader, const std::string& defines = {});
 
 // Throws std::runtime_error when a GL call since the last check failed; doing says what we were at, e.g.
 // "drawing the sprites". Once per pass: cheap, and no error stays unseen.

@@ -3,11 +3,12 @@
 #include <algorithm>
 
 #include "render/gl_group.h"
+#include "render/sprite_shape_defines.h"
 
 namespace gw {
 namespace {
 
-enum Uniform : GLint { kCamera = 0, kView = 1, kLight = 2 };  // locations in sprite.vert
+enum Uniform : GLint { kCamera = 0, kView = 1, kLight = 2, kAnnounced = 3 };  // locations in sprite.vert
 enum Attribute : GLuint { kPlaces = 0, kAngleSize = 1, kLook = 2 };
 constexpr GLuint kInstances = 0;  // the one binding all attributes come from
 
@@ -32,7 +33,8 @@ Glow glowOf(float amount) {
 }  // namespace
 
 SpritePass::SpritePass(const std::filesystem::path& assets)
-    : program_(makeGlProgram(assets, "shaders/sprite.vert", "shaders/sprite.frag")), vertexArray_(makeGlVertexArray()) {
+    : program_(makeGlProgram(assets, "shaders/sprite.vert", "shaders/sprite.frag", spriteShapeDefines())),
+      vertexArray_(makeGlVertexArray()) {
   const GLuint array = vertexArray_.get();
   glVertexArrayAttribFormat(array, kPlaces, 4, GL_FLOAT, GL_FALSE, offsetof(SpriteVertex, x));
   glVertexArrayAttribFormat(array, kAngleSize, 2, GL_FLOAT, GL_FALSE, offsetof(SpriteVertex, angle_rad));
@@ -55,6 +57,7 @@ void SpritePass::draw(const StreamRegion& region, const SpriteFrame& frame) {
   glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);
   glUniform4f(kView, frame.alpha, frame.tick, pixelsPerMetre, frame.brightness);
   glUniform4f(kLight, glow.share, glow.most_px, glow.strength, frame.flashes ? 1.0f : 0.0f);
+  glUniform1f(kAnnounced, frame.announced_ticks);
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // premultiplied: covers where alpha is, adds light where it is not

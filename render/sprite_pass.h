@@ -15,9 +15,10 @@ inline constexpr float kGlowOff = 0, kGlowLow = 0.5f, kGlowHigh = 1;
 
 struct SpriteFrame {
   Camera camera;
-  PixelSize target;  // of the picture, for lines of whole pixels
-  float alpha = 1;   // 0: the previous tick's places, 1: the current ones
-  float tick = 0;    // ticks so far, for the blink of the untouchable ship
+  PixelSize target;           // of the picture, for lines of whole pixels
+  float alpha = 1;            // 0: the previous tick's places, 1: the current ones
+  float tick = 0;             // ticks so far, for the blink of the untouchable ship
+  float announced_ticks = 1;  // of the game's rules: the age at which the outline of an announced enemy has closed in
   float glow = kGlowLow;
   bool flashes = true;   // off: damage and blinking are shown by steady light, for photosensitive players
   float brightness = 1;  // of all sprites; less behind menus

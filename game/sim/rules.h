@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "render/sprite_shapes.h"
+
 namespace gw {
 
 inline constexpr uint32_t kTicksPerSecond = 60;
@@ -28,9 +30,6 @@ enum class Machine : uint32_t { kamikaze = 0, group = 1, tricky = 2 };
 enum class Bounds : uint32_t { circle = 0, rectangle = 1 };
 enum class Pattern : uint32_t { ring, spiral, cluster, corners, wall, rain, river, count };
 
-// How a type is drawn: shape index in assets/shaders/sprite.frag, colour as 0xRRGGBB.
-enum class Shape : uint32_t { triangle, square, hexagon, dart, checkered, star, doubleRing, shot, bit, ship, count };
-
 struct EnemyRules {
   char name[kMaxNameLength + 1];
   Machine machine;
@@ -45,8 +44,8 @@ struct EnemyRules {
   uint32_t value;                // score before the multiplier
   uint32_t bits;                 // born at its death
   uint32_t avoidCooldown_ticks;  // group and tricky: between two dodges; 0 for kamikazes
-  Shape shape;
-  uint32_t colour;
+  Shape shape;                   // how it is drawn (render/sprite_shapes.h)
+  uint32_t colour;               // 0xRRGGBB
 };
 
 struct ShotLevel {

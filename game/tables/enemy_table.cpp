@@ -3,19 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
 #include "game/sim/behaviour/state_tables.h"
 #include "game/tables/toml_reader.h"
+#include "render/sprite_shapes.h"
 
 namespace gw {
 namespace {
 
+constexpr std::string_view kBounds[] = {"circle", "rectangle"};
 constexpr std::string_view kMachineNames[] = {"kamikaze", "group", "tricky"};  // in Machine's order
 static_assert(std::size(kMachineNames) == kMachines);
-constexpr std::string_view kBounds[] = {"circle", "rectangle"};
-constexpr std::string_view kShapes[] = {"triangle", "square", "hexagon", "dart", "checkered", "star", "double_ring"};
+// The names of the shapes that enemies may have, in the order of Shape.
+std::span<const std::string_view> shapeNames() {
+  static const auto names = [] {
+    std::array<std::string_view, kEnemyShapes> list;
+    for (uint32_t shape = 0; shape < kEnemyShapes; ++shape) list[shape] = kSpriteShapes[shape].name;
+    return list;
+  }();
+  return names;
+}
 
 void readName(TomlTable& table, const Rules& rules, EnemyRules& enemy) {
   const std::string name = table.string("name");
@@ -61,7 +71,7 @@ EnemyRules readEnemy(TomlTable& table, const Rules& rules) {
   if (enemy.machine != Machine::kamikaze) {
     enemy.avoidCooldown_ticks = table.integer32("avoid_cooldown_ticks", 0, 3600);
   }
-  enemy.shape = Shape(table.choice("shape", kShapes));
+  enemy.shape = Shape(table.choice("shape", shapeNames()));
   enemy.colour = table.integer32("colour", 0, 0xffffff);
   table.done();
   return enemy;

@@ -1,47 +1,64 @@
 #include "game/ui/shape_icon.h"
 
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
+#include <vector>
+
+#include "render/sprite_shapes.h"
 
 namespace gw {
 
 namespace {
 
 constexpr float kLine = 1.6f;
+constexpr float kLargest = 1.13f;  // of the circle through the furthest corners, in units of the icon's radius
 
-struct Corner {
-  float x, y;  // y up, within the unit circle
-};
+// The corners of a ring that looks round at the size of an icon.
+std::vector<ShapeCorner> ring(float radius) {
+  const int corners = radius > 0.75f ? 16 : 10;
+  std::vector<ShapeCorner> outline;
+  for (int i = 0; i < corners; ++i) {
+    const float angle = float(2 * std::numbers::pi) * float(i) / float(corners);
+    outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return outline;
+}
+
+// Appends the mirror image, so that the outline goes on where it ended.
+template <class Mirror>
+void unfold(std::vector<ShapeCorner>& outline, const Mirror& mirror) {
+  for (size_t i = outline.size(); i-- > 0;) outline.push_back(mirror(outline[i]));
+}
+
+std::vector<ShapeCorner> outlineOf(const SpriteShape& shape) {
+  if (shape.cornerCount == 0) return ring(1);
+  std::vector<ShapeCorner> outline(shape.corners, shape.corners + shape.cornerCount);
+  if (shape.fold == Fold::diagonal) unfold(outline, [](ShapeCorner c) { return ShapeCorner{c.y, c.x}; });
+  if (shape.fold != Fold::along) unfold(outline, [](ShapeCorner c) { return ShapeCorner{-c.x, c.y}; });
+  unfold(outline, [](ShapeCorner c) { return ShapeCorner{c.x, -c.y}; });
+  return outline;
+}
 
 class Icon {
  public:
   Icon(Canvas& canvas, float x, float y, float radius, Rgba colour)
       : canvas_(canvas), x_(x), y_(y), radius_(radius), colour_(colour) {}
 
-  void closed(std::initializer_list<Corner> corners) const {
-    const Corner* last = corners.end() - 1;
-    for (const Corner& corner : corners) {
-      line(*last, corner);
-      last = &corner;
+  void closed(const std::vector<ShapeCorner>& corners) const {
+    ShapeCorner last = corners.back();
+    for (const ShapeCorner& corner : corners) {
+      if (corner.x != last.x || corner.y != last.y) line(last, corner);
+      last = corner;
     }
   }
-  // A star's inner corners lie on `inner`; 1 gives a plain polygon.
-  void star(int corners, float outer, float inner, float turned) const {
-    for (int i = 0; i < corners; ++i)
-      line(at(i, corners, outer, inner, turned), at(i + 1, corners, outer, inner, turned));
-  }
-  void square(float left, float top, float side) const {
-    canvas_.rectangle(x_ + left * radius_, y_ + top * radius_, side * radius_, side * radius_, colour_);
+  // Filled, from its lower left corner.
+  void square(float left, float bottom, float side) const {
+    canvas_.rectangle(x_ + left * radius_, y_ - (bottom + side) * radius_, side * radius_, side * radius_, colour_);
   }
 
  private:
-  static Corner at(int i, int corners, float outer, float inner, float turned) {
-    const float angle = turned + float(2 * std::numbers::pi) * float(i) / float(corners);
-    const float reach = i % 2 == 0 ? outer : inner;
-    return {reach * std::cos(angle), reach * std::sin(angle)};
-  }
-  void line(Corner a, Corner b) const {
+  void line(ShapeCorner a, ShapeCorner b) const {
     canvas_.line(x_ + a.x * radius_, y_ - a.y * radius_, x_ + b.x * radius_, y_ - b.y * radius_, kLine, colour_);
   }
 
@@ -53,27 +70,13 @@ class Icon {
 }  // namespace
 
 void drawShapeIcon(Canvas& canvas, Shape shape, float x, float y, float radius, Rgba colour) {
-  const Icon icon(canvas, x, y, radius, colour);
-  switch (shape) {
-    case Shape::triangle:
-      return icon.closed({{1, 0}, {-.7f, .85f}, {-.7f, -.85f}});
-    case Shape::square:
-      return icon.closed({{.8f, .8f}, {-.8f, .8f}, {-.8f, -.8f}, {.8f, -.8f}});
-    case Shape::hexagon:
-      return icon.star(6, 1, 1, 0);
-    case Shape::dart:
-      return icon.closed({{1, 0}, {-.9f, .7f}, {-.4f, 0}, {-.9f, -.7f}});
-    case Shape::checkered:
-      icon.closed({{.8f, .8f}, {-.8f, .8f}, {-.8f, -.8f}, {.8f, -.8f}});
-      icon.square(-.8f, -.8f, .8f);
-      return icon.square(0, 0, .8f);
-    case Shape::star:
-      return icon.star(8, 1, .42f, 0);
-    case Shape::doubleRing:
-      icon.star(16, 1, 1, 0);
-      return icon.star(10, .5f, .5f, 0);
-    default:
-      return icon.closed({{.8f, 0}, {0, .8f}, {-.8f, 0}, {0, -.8f}});
+  const SpriteShape& row = kSpriteShapes[std::min(uint32_t(shape), kShapes - 1)];
+  const Icon icon(canvas, x, y, radius / std::max(row.radius / kLargest, 1.0f), colour);
+  icon.closed(outlineOf(row));
+  if (row.innerRing > 0) icon.closed(ring(row.innerRing));
+  if (row.chequered) {
+    icon.square(0, 0, 1);
+    icon.square(-1, -1, 1);
   }
 }
 

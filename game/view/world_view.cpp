@@ -123,6 +123,7 @@ void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, c
   sprites.target = frame.target;
   sprites.alpha = frame.alpha;
   sprites.tick = float(report.tick) + frame.alpha;
+  sprites.announced_ticks = float(rules.world.announced_ticks);
   sprites.brightness = frame.brightness;
   sprites.glow = frame.effects.glow;
   sprites.flashes = frame.effects.flash > 0;

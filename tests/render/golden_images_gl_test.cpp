@@ -29,6 +29,7 @@ class GoldenImages : public GlTest {
     region.command->instanceCount = uint32_t(sprites.size());
     stream.written();
     frame.target = kSize;
+    frame.announced_ticks = 30;
     pass.draw(region, frame);
     stream.end();
     return readPixels(kSize);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "render/camera.h"
+#include "render/sprite_shapes.h"
 #include "render/sprite_vertex.h"
 
 namespace gw {
@@ -18,7 +20,8 @@ struct SceneShape {
 inline constexpr SceneShape kSceneShapes[] = {{.50f, 0xFFB020}, {.55f, 0xFF40C0}, {1.2f, 0xFF3030}, {.35f, 0x30E0FF},
                                               {.40f, 0x40FF60}, {.60f, 0xA060FF}, {.80f, 0xE8F0FF}, {.45f, 0xFFF0A0},
                                               {.22f, 0x60FFD0}, {.60f, 0xFFFFFF}};
-inline constexpr uint32_t kSceneShapeCount = 10;
+inline constexpr uint32_t kSceneShapeCount = kShapes;
+static_assert(std::size(kSceneShapes) == kShapes);
 inline constexpr uint32_t kGrownUp_ticks = 255;
 
 inline SpriteVertex sceneSprite(uint32_t shape, float x, float y, float angle_rad, uint32_t flags = 0,

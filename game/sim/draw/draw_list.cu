@@ -7,7 +7,7 @@ namespace gw::GW_DEVICE {
 namespace {
 
 constexpr uint32_t kLayers = DrawList::kLayers, kNoLayer = kLayers;
-constexpr float kLargestSprite = 3.2f;  // an announced enemy's outline, in half extents, with its glow
+constexpr float kLargestSprite = 1.2f + kAnnouncedScale;  // an outline that closes in, in half extents, with its glow
 
 // The layer in which an id is drawn, or kNoLayer.
 struct LayerOf {
@@ -111,13 +111,13 @@ struct WriteSprites {
       out.angle_rad = arcTangent2(motion.y, motion.x);
       out.size_m = v.tables->rules.shot.radius_m;
       out.shapeFlags = packed(Shape::shot, 0, 1.0f, age);
-      out.colour = 0xFFF3B0;
+      out.colour = kShotColour;
     } else {
       const uint32_t life = v.state[id].y;
       out.angle_rad = float(age) * 0.1f;
-      out.size_m = 0.22f;
+      out.size_m = kBitSize_m;
       out.shapeFlags = packed(Shape::bit, 0, float(life) / float(v.tables->rules.bit.life_ticks), age);
-      out.colour = 0x7CFFCB;
+      out.colour = kBitColour;
     }
     if (colouring == Colouring::rows) out.colour = rowColour(rowOf(v.near, place, cell.y));
     return out;
@@ -131,10 +131,10 @@ struct WriteSprites {
     out.previous_x = m.ship.previous_x;
     out.previous_y = m.ship.previous_y;
     out.angle_rad = m.ship.aim_rad;
-    out.size_m = v.tables->rules.ship.radius_m * 1.6f;  // the hull is drawn larger than what can be hit
+    out.size_m = v.tables->rules.ship.radius_m * kShipScale;
     out.shapeFlags =
         packed(Shape::ship, m.ship.untouchable_ticks > 0 ? uint32_t(kSpriteUntouchable) : 0u, 1.0f, m.tick);
-    out.colour = 0xE8F6FF;
+    out.colour = kShipColour;
     return out;
   }
 };

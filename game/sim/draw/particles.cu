@@ -43,11 +43,11 @@ GW_FN Burst entityBurst(const View& v, uint32_t id) {
     const float until_s = v.choiceTime[id] * kTick_s;
     const float back = arcTangent2(-motion.y, -motion.x);
     return {
-        3,       before.x + motion.x * until_s, before.y + motion.y * until_s, back, 1.8f, 5.0f, 16.0f, 6, 14, 0.05f,
-        0xFFF3B0};
+        3,          before.x + motion.x * until_s, before.y + motion.y * until_s, back, 1.8f, 5.0f, 16.0f, 6, 14, 0.05f,
+        kShotColour};
   }
   if (before.type == kTypeBit && (event & kEventTaken)) {
-    return {4, before.x, before.y, 0.0f, kTwoPi, 1.5f, 5.0f, 10, 20, 0.05f, 0x7CFFCB};
+    return {4, before.x, before.y, 0.0f, kTwoPi, 1.5f, 5.0f, 10, 20, 0.05f, kBitColour};
   }
   return Burst{};
 }
