@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "game/sim/behaviour/state_tables.h"
 #include "render/sprite_shapes.h"
 
 namespace gw {
@@ -26,7 +27,6 @@ enum EntityType : uint32_t {
   kTypeNone = 15,  // a dead cell
 };
 
-enum class Machine : uint32_t { kamikaze = 0, group = 1, tricky = 2 };
 enum class Bounds : uint32_t { circle = 0, rectangle = 1 };
 enum class Pattern : uint32_t { ring, spiral, cluster, corners, wall, rain, river, count };
 

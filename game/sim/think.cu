@@ -25,7 +25,7 @@ struct Warn {
     const Rules& r = v.tables->rules;
     const Float4 flight = v.directionMass[shot.id];
     search.around(i, placeOf(shot), r.steering.threat_m, [&](const Cell& other, uint32_t, Float2 away) {
-      if (!isEnemy(other.type) || r.enemies[other.type].machine == Machine::kamikaze) return;
+      if (!isEnemy(other.type) || !isOneOf(r.enemies[other.type].machine, kDodgingMachines)) return;
       if (flight.x * away.x + flight.y * away.y <= 0.0f) return;  // behind it
       const float across = magnitude(flight.x * away.y - flight.y * away.x);
       if (across > reachOf(r.enemies[other.type]) + r.steering.threatMargin_m) return;
@@ -78,7 +78,7 @@ struct Think {
     uint32_t conditions = conditionsOf(self, state, rules, threat);
     // Company is asked for in turns: a horde would do little else. Who has just lost the ship asks at once.
     const bool turn = (m.tick + cell.id) % kAskEvery_ticks == 0;
-    const bool looks = rules.machine != Machine::kamikaze && (kLooksAround >> uint32_t(before) & 1u) != 0;
+    const bool looks = isOneOf(rules.machine, kFlockingMachines) && (kLooksAround >> uint32_t(before) & 1u) != 0;
     Company company;
     if (looks && before == State::attacking && !(conditions & kLostShip)) {
       // Whoever sees the ship needs nobody, but for a group's heading. In between its own, which holds theirs, stands
@@ -156,9 +156,7 @@ struct Think {
     const Rules::Steering& steering = v.tables->rules.steering;
     switch (state) {
       case State::attacking:
-        if (rules.machine == Machine::kamikaze) return kamikazeAttack(self, rules, steering);
-        if (rules.machine == Machine::group) return groupAttack(self, company, steering);
-        return trickyAttack(self, steering);
+        return attack(self, company, rules);
       case State::grouping:
         return company.count > 0 ? flyInGroup(self, company, steering, m.seed, m.tick) : flyOn(self, steering);
       case State::avoiding:
@@ -169,6 +167,18 @@ struct Think {
         return coast(self);
       default:
         return wander(self, steering, m.seed, m.tick);
+    }
+  }
+
+  GW_BODY Wish attack(const Self& self, const Company& company, const EnemyRules& rules) const {
+    const Rules::Steering& steering = v.tables->rules.steering;
+    switch (rules.machine) {
+      case Machine::group:
+        return groupAttack(self, company, steering);
+      case Machine::tricky:
+        return trickyAttack(self, steering);
+      default:
+        return kamikazeAttack(self, rules, steering);
     }
   }
 

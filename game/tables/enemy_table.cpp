@@ -15,8 +15,6 @@ namespace gw {
 namespace {
 
 constexpr std::string_view kBounds[] = {"circle", "rectangle"};
-constexpr std::string_view kMachineNames[] = {"kamikaze", "group", "tricky"};  // in Machine's order
-static_assert(std::size(kMachineNames) == kMachines);
 // The names of the shapes that enemies may have, in the order of Shape.
 std::span<const std::string_view> shapeNames() {
   static const auto names = [] {
@@ -68,7 +66,7 @@ EnemyRules readEnemy(TomlTable& table, const Rules& rules) {
   enemy.contact_us = table.integer32("contact_us", 1, 100'000);
   enemy.value = table.integer32("value", 0, 1'000'000);
   enemy.bits = table.integer32("bits", 0, 64);
-  if (enemy.machine != Machine::kamikaze) {
+  if (kDodgingMachines >> uint32_t(enemy.machine) & 1u) {
     enemy.avoidCooldown_ticks = table.integer32("avoid_cooldown_ticks", 0, 3600);
   }
   enemy.shape = Shape(table.choice("shape", shapeNames()));

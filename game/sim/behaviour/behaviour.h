@@ -18,6 +18,11 @@ GW_FN State nextState(const MachineTable& table, State state, uint32_t condition
   return state;
 }
 
+// Whether a machine is one of a set (kDodgingMachines, kFlockingMachines).
+GW_FN bool isOneOf(Machine machine, uint32_t machines) {
+  return (machines >> uint32_t(machine) & 1u) != 0;
+}
+
 // How often an entity asks for company, each in its turn: so often its states can change by it.
 constexpr uint32_t kAskEvery_ticks = 4;
 

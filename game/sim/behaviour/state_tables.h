@@ -3,8 +3,7 @@
 #pragma once
 
 #include <cstdint>
-
-#include "game/sim/rules.h"
+#include <string_view>
 
 namespace gw {
 
@@ -91,10 +90,47 @@ inline constexpr MachineTable kTricky = {
      {in(State::attacking), kLostShip, State::wandering},
      {in(State::grouping), kAlone, State::wandering}}};
 
-inline constexpr uint32_t kMachines = 3;
+// The state machines. A new one is its table above, a row here, its steering (behaviour_NAME.h) and the line in think
+// that asks for it. Numbers stand in replays: add at the end only.
+#define GW_MACHINES(MACHINE)   \
+  MACHINE(kamikaze, kKamikaze) \
+  MACHINE(group, kGroup)       \
+  MACHINE(tricky, kTricky)
+
+#define GW_NUMBER(name, table) name,
+enum class Machine : uint32_t { GW_MACHINES(GW_NUMBER) count };
+#undef GW_NUMBER
+inline constexpr uint32_t kMachines = uint32_t(Machine::count);
+
 constexpr const MachineTable& tableOf(Machine machine) {
-  return machine == Machine::kamikaze ? kKamikaze : machine == Machine::group ? kGroup : kTricky;
+  switch (machine) {
+#define GW_CASE(name, table) \
+  case Machine::name:        \
+    return table;
+    GW_MACHINES(GW_CASE)
+#undef GW_CASE
+    default:
+      return kKamikaze;
+  }
 }
+
+#define GW_NAME(name, table) #name,
+inline constexpr std::string_view kMachineNames[kMachines] = {GW_MACHINES(GW_NAME)};
+#undef GW_NAME
+
+// The machines whose table has a row that needs one of these conditions, a bit each.
+constexpr uint32_t machinesThatNeed(uint32_t conditions) {
+  uint32_t machines = 0;
+  for (uint32_t m = 0; m < kMachines; ++m) {
+    const MachineTable& table = tableOf(Machine(m));
+    for (uint32_t row = 0; row < table.count; ++row) {
+      if (table.rows[row].needs & conditions) machines |= 1u << m;
+    }
+  }
+  return machines;
+}
+inline constexpr uint32_t kDodgingMachines = machinesThatNeed(kShotComing);
+inline constexpr uint32_t kFlockingMachines = machinesThatNeed(kOwnKind | kAlone);  // ask for their own kind
 
 // Whether some row leads from one state to another. A row that leads back to its own state changes nothing
 // and is no edge.
@@ -106,7 +142,7 @@ constexpr bool hasEdge(Machine machine, State from, State to) {
   return false;
 }
 
-// In these states group and tricky look for their own kind: no other row or steering asks for it.
+// In these states machines that know of their own kind look for it: no other row or steering asks for it.
 inline constexpr uint32_t kLooksAround = in(State::wandering, State::grouping, State::attacking);
 
 // How often each transition was taken: by machine, state left, state entered.
@@ -148,8 +184,7 @@ constexpr const char* nameOf(Condition condition) {
 }
 
 constexpr const char* nameOf(Machine machine) {
-  constexpr const char* kNames[] = {"kamikaze", "group", "tricky"};
-  return kNames[uint32_t(machine)];
+  return kMachineNames[uint32_t(machine)].data();  // of literals, so it ends in 0
 }
 
 }  // namespace gw
