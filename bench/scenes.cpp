@@ -6,7 +6,7 @@
 
 #include "bench/fingerprint.h"
 #include "game/sim/behaviour/state_tables.h"
-#include "game/sim/master.h"
+#include "game/sim/game_globals.h"
 #include "game/tables/tables.h"
 
 namespace gw::bench {
@@ -15,10 +15,10 @@ namespace {
 constexpr uint32_t kSwarmTicks = 1200, kMixedTicks = 300;
 
 void makeUntouchable(Snapshot& scene) {
-  Master master;
-  std::memcpy(&master, scene.master.data(), sizeof master);
-  master.ship.untouchable_ticks = 1u << 30;
-  std::memcpy(scene.master.data(), &master, sizeof master);
+  GameGlobals globals;
+  std::memcpy(&globals, scene.globals.data(), sizeof globals);
+  globals.ship.untouchable_ticks = 1u << 30;
+  std::memcpy(scene.globals.data(), &globals, sizeof globals);
 }
 }  // namespace
 
@@ -57,10 +57,10 @@ Snapshot sceneOf(Scene scene, Simulation& sim, const SimulationConfig& config) {
 Snapshot uniformScene(Simulation& sim, const SimulationConfig& config) {
   Snapshot scene = sim.snapshot();
   scene.arrangement.clear();  // of the empty game: the scene gets one of its own
-  Master master;
-  std::memcpy(&master, scene.master.data(), sizeof master);
-  master.tick = 1000;
-  std::memcpy(scene.master.data(), &master, sizeof master);
+  GameGlobals globals;
+  std::memcpy(&globals, scene.globals.data(), sizeof globals);
+  globals.tick = 1000;
+  std::memcpy(scene.globals.data(), &globals, sizeof globals);
   makeUntouchable(scene);
   uint32_t kamikazes = 0;  // they stand first in the table
   while (kamikazes < config.rules.enemyTypeCount && config.rules.enemies[kamikazes].machine == Machine::kamikaze) {

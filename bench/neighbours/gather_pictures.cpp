@@ -265,7 +265,7 @@ void drawGathers(const std::string& folder, const TextFont& font) {
   const Crowd<Cell> crowd(8192, Distribution::uniform, 1);
   const Picture of{font, crowd};
   KeptGrid settled(crowd.byId, chooseWindowDimensions(of.n(), of.box()));
-  settled.grid.settle(settled.queue, settled.cells.data(), settled.cellOf.data());
+  settled.grid.sortUntilStable(settled.queue, settled.cells.data(), settled.cellOf.data());
   const Cell asker = chooseAsker(of, settled);
   drawRows(folder + "/ngrid_gather_exact.png", of, asker);
   drawWindow(folder + "/ngrid_gather_fixed.png", of, settled, asker, false);

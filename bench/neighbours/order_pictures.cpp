@@ -44,8 +44,8 @@ void drawOrder(const std::string& path, const TextFont& font, const Crowd<Cell>&
     canvas.disc(look(cells[i]), 4.0f, colourOf(i));
     if (out) canvas.ring(look(cells[i]), 6.0f, 1.6f, kInk);
   }
-  if (misaligned != kept.grid.report(kept.queue, kept.cells.data()).misaligned) {
-    throw std::logic_error("report() counts other misaligned entities than are drawn");
+  if (misaligned != kept.grid.upkeepReport(kept.queue, kept.cells.data()).misaligned) {
+    throw std::logic_error("upkeepReport() counts other misaligned entities than are drawn");
   }
   drawBars(canvas, title);
   char legend[200];
@@ -66,9 +66,9 @@ void drawOrders(const std::string& folder, const TextFont& font) {
   rebuilt.grid.rebuild(rebuilt.queue, rebuilt.cells.data(), rebuilt.cellOf.data());
   drawOrder(folder + "/ngrid_order_rebuild.png", font, crowd, rebuilt,
             "rebuild(): all by y, cut into rows, each row by x");
-  settled.grid.settle(settled.queue, settled.cells.data(), settled.cellOf.data());
+  settled.grid.sortUntilStable(settled.queue, settled.cells.data(), settled.cellOf.data());
   drawOrder(folder + "/ngrid_order_settle.png", font, crowd, settled,
-            "settle(): columns by y, rows by x, by turns until nothing moves");
+            "sortUntilStable(): columns by y, rows by x, by turns until nothing moves");
   for (int frame = 0; frame < 100; ++frame) {
     crowd.step(0.1f);
     settled.move(crowd.byId);

@@ -79,7 +79,9 @@ Float3 sizeOf(const Place& place) {
 template <class CellT>
 struct Lines {
   NGrid<CellT> grid{};
-  std::optional<uint32_t> misaligned(Queue& queue, const CellT* cells) { return grid.report(queue, cells).misaligned; }
+  std::optional<uint32_t> misaligned(Queue& queue, const CellT* cells) {
+    return grid.upkeepReport(queue, cells).misaligned;
+  }
   size_t bytes() const { return grid.bytes(); }
 };
 
@@ -121,7 +123,7 @@ struct Windows : Lines<CellT> {
     grid = {queue, chooseWindowDimensions(n, sizeOf<CellT>(place))};
     return grid.dimensions().cells();
   }
-  void build(Queue& queue, CellT* cells, uint32_t* cellOf) { grid.settle(queue, cells, cellOf); }
+  void build(Queue& queue, CellT* cells, uint32_t* cellOf) { grid.sortUntilStable(queue, cells, cellOf); }
   void maintain(Queue& queue, CellT* cells, uint32_t* cellOf) {
     if (oddEven) return grid.transpose(queue, cells, cellOf);
     grid.maintain(queue, cells, cellOf);

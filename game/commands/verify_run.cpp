@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 bool same(const Snapshot& a, const Snapshot& b) {
-  return a.master == b.master && a.arrangement == b.arrangement && a.entities.size() == b.entities.size() &&
+  return a.globals == b.globals && a.arrangement == b.arrangement && a.entities.size() == b.entities.size() &&
          (a.entities.empty() ||
           std::memcmp(a.entities.data(), b.entities.data(), a.entities.size() * sizeof(EntityRecord)) == 0);
 }

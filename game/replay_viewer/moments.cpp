@@ -7,7 +7,7 @@ namespace gw {
 
 size_t bytesOf(const RunMoment& moment) {
   constexpr size_t kEffects = 4096;  // their lists hold a few dozen small things each
-  return sizeof(RunMoment) + kEffects + moment.state.master.capacity() +
+  return sizeof(RunMoment) + kEffects + moment.state.globals.capacity() +
          moment.state.entities.capacity() * sizeof(EntityRecord) +
          moment.state.arrangement.capacity() * sizeof(uint32_t);
 }

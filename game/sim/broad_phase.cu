@@ -82,7 +82,7 @@ void Neighbourhood::arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
   if (broadPhase_ != BroadPhase::ngrid) {
     maintain(queue, d_cells, d_cellOf, nullptr);
   } else if (isArrangementState(gather_)) {
-    ngrid_.settle(queue, d_cells, d_cellOf);
+    ngrid_.sortUntilStable(queue, d_cells, d_cellOf);
   } else {
     ngrid_.rebuild(queue, d_cells, d_cellOf);
   }
@@ -90,7 +90,7 @@ void Neighbourhood::arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf) {
 
 std::optional<uint32_t> Neighbourhood::misaligned(Queue& queue, const Cell* d_cells) {
   if (broadPhase_ != BroadPhase::ngrid) return {};
-  return ngrid_.report(queue, d_cells).misaligned;
+  return ngrid_.upkeepReport(queue, d_cells).misaligned;
 }
 
 void Neighbourhood::maintainNGrid(Queue& queue, Cell* d_cells, uint32_t* d_cellOf, const uint32_t* d_hold) {

@@ -1,8 +1,8 @@
-// What neighbours are found by. The game asks through withSearch() and does not know which it is: all exact ones
-// find the same, hash for hash.
+// The structures that find neighbours. The game searches through withSearch() and does not know which one it uses: all
+// exact ones give the same results, hash for hash.
 #pragma once
 
-#include "game/sim/master.h"
+#include "game/sim/game_globals.h"
 #include "game/sim/simulation.h"
 #include "gpu/neighbours/brute_force.h"
 #include "gpu/neighbours/hashed_grid.h"
@@ -13,10 +13,10 @@
 
 namespace gw::GW_DEVICE {
 
-// Of both uniform grids: every type sees as far as this, and it is what most searches ask for.
+// Of both uniform grids: the vision of every type, and the radius of most searches.
 inline constexpr float kBinSize_m = 4.0f;
 
-// With an inexact gather the arrangement of the cells is felt: it is state.
+// With an inexact gather the arrangement of the cells has an influence: it is state.
 inline bool isArrangementState(Gather gather) {
   return gather != Gather::exact;
 }
@@ -32,14 +32,14 @@ struct Searches {
   HashedGather<Cell> hashed;
 };
 
-// The row of the NGrid that a cell is in; of other structures, the row of bins that a place in it falls into. For
-// looks.
+// The row of the NGrid that a cell is in; of other structures, the row of bins that a place in it falls into.
+// For drawing.
 GW_FN uint32_t rowOf(const Searches& searches, uint32_t cell, float y) {
   if (searches.broadPhase == BroadPhase::ngrid) return cell / searches.ngrid.columns;
   return uint32_t(int32_t(clamp(y / kBinSize_m, 0.0f, 65535.0f)));
 }
 
-// Launches with the exact search that was asked for.
+// Launches with the configured exact search.
 template <class Launch>
 void withExactSearch(const Searches& searches, const Launch& launch) {
   switch (searches.broadPhase) {
@@ -54,8 +54,8 @@ void withExactSearch(const Searches& searches, const Launch& launch) {
   }
 }
 
-// Launches with the search that was asked for, for askers that stand in a cell: kernels ask it by around() and after(),
-// which every search has.
+// Launches with the configured search, from entities that stand in a cell: kernels call its around() and after(), which
+// every search has.
 template <class Launch>
 void withSearch(const Searches& searches, const Launch& launch) {
   if (searches.gather == Gather::adaptive) return launch(AdaptiveGather{searches.ngrid});
@@ -63,7 +63,7 @@ void withSearch(const Searches& searches, const Launch& launch) {
   withExactSearch(searches, launch);
 }
 
-// The same for an asker that stands in no cell. Inexact gathers have no window for it and look at everybody.
+// The same from a position outside any cell. Inexact gathers have no window for it and test all entities.
 template <class Launch>
 void withSearchFromAnywhere(const Searches& searches, const Launch& launch) {
   if (isArrangementState(searches.gather)) return launch(BruteForce<Cell>{searches.cells, searches.capacity});
@@ -89,15 +89,15 @@ class Neighbourhood {
   Gather gather() const { return gather_; }
   NDimensions dimensions() const { return dimensions_; }
 
-  // After a start or a restored snapshot: from any arrangement. A gather that feels the arrangement gets one that
+  // After a start or a restored snapshot: from any arrangement. A gather that depends on the arrangement gets one that
   // suits it. Allocates while it runs, so it has no place in a tick.
   void arrange(Queue& queue, Cell* d_cells, uint32_t* d_cellOf);
 
-  // The living that stand before their predecessor on a row or a column of the NGrid (NGrid::report); none: it is
+  // The living that stand before their predecessor on a row or a column of the NGrid (NGrid::upkeepReport); none: it is
   // another structure. Waits for the queue.
   std::optional<uint32_t> misaligned(Queue& queue, const Cell* d_cells);
 
-  // Frozen rows only: whether the next maintain() sorts in full. Whoever captures ticks captures both kinds.
+  // Frozen rows only: whether the next maintain() sorts in full. A capture of ticks captures both kinds.
   void sortInFull(bool next) { sortInFull_ = next; }
 
   // Once a tick, after motion. Nothing moves while the word at d_hold is not 0, where the arrangement is state.

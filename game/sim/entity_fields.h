@@ -38,27 +38,27 @@ namespace gw {
 //   cooldown       hits left (shots), ticks until the next dodge (enemies)
 //   flags          EnemyFlag; a shot's victim before last
 //   target         a shot's last victim, or kNobody
-#define GW_ENTITY_FIELDS(FIELD)                                                                   \
-  FIELD(type, uint32_t, cell, .type, "type", HashField::typeAndBirth, kHighHalf)                  \
-  FIELD(x, float, cell, .x, "x", HashField::place, kHighHalf)                                     \
-  FIELD(y, float, cell, .y, "y", HashField::place, kLowHalf)                                      \
-  FIELD(velocity_x, float, velocityPrevious, .x, "velocity_x", HashField::velocity, kHighHalf)    \
-  FIELD(velocity_y, float, velocityPrevious, .y, "velocity_y", HashField::velocity, kLowHalf)     \
-  FIELD(previous_x, float, velocityPrevious, .z, "previous_x", HashField::placeBefore, kHighHalf) \
-  FIELD(previous_y, float, velocityPrevious, .w, "previous_y", HashField::placeBefore, kLowHalf)  \
-  FIELD(force_x, float, forceEnergy, .x, "force_x", HashField::force, kHighHalf)                  \
-  FIELD(force_y, float, forceEnergy, .y, "force_y", HashField::force, kLowHalf)                   \
-  FIELD(energy, float, forceEnergy, .w, "energy", HashField::energyAndMass, kHighHalf)            \
-  FIELD(direction_x, float, directionMass, .x, "direction_x", HashField::direction, kHighHalf)    \
-  FIELD(direction_y, float, directionMass, .y, "direction_y", HashField::direction, kLowHalf)     \
-  FIELD(mass, float, directionMass, .z, "mass", HashField::energyAndMass, kLowHalf)               \
-  FIELD(push_x, float, push, .x, "push_x", HashField::push, kHighHalf)                            \
-  FIELD(push_y, float, push, .y, "push_y", HashField::push, kLowHalf)                             \
-  FIELD(state, uint32_t, state, .x, "state", HashField::stateAndTimer, kHighHalf)                 \
-  FIELD(timer, uint32_t, state, .y, "timer", HashField::stateAndTimer, kLowHalf)                  \
-  FIELD(cooldown, uint32_t, state, .z, "cooldown", HashField::cooldownAndFlags, kHighHalf)        \
-  FIELD(flags, uint32_t, state, .w, "flags", HashField::cooldownAndFlags, kLowHalf)               \
-  FIELD(birthTick, uint32_t, birthTick, , "birth_tick", HashField::typeAndBirth, kLowHalf)        \
+#define GW_ENTITY_FIELDS(FIELD)                                                                        \
+  FIELD(type, uint32_t, cell, .type, "type", HashField::typeAndBirth, kHighHalf)                       \
+  FIELD(x, float, cell, .x, "x", HashField::position, kHighHalf)                                       \
+  FIELD(y, float, cell, .y, "y", HashField::position, kLowHalf)                                        \
+  FIELD(velocity_x, float, velocityPrevious, .x, "velocity_x", HashField::velocity, kHighHalf)         \
+  FIELD(velocity_y, float, velocityPrevious, .y, "velocity_y", HashField::velocity, kLowHalf)          \
+  FIELD(previous_x, float, velocityPrevious, .z, "previous_x", HashField::previousPosition, kHighHalf) \
+  FIELD(previous_y, float, velocityPrevious, .w, "previous_y", HashField::previousPosition, kLowHalf)  \
+  FIELD(force_x, float, forceEnergy, .x, "force_x", HashField::force, kHighHalf)                       \
+  FIELD(force_y, float, forceEnergy, .y, "force_y", HashField::force, kLowHalf)                        \
+  FIELD(energy, float, forceEnergy, .w, "energy", HashField::energyAndMass, kHighHalf)                 \
+  FIELD(direction_x, float, directionMass, .x, "direction_x", HashField::direction, kHighHalf)         \
+  FIELD(direction_y, float, directionMass, .y, "direction_y", HashField::direction, kLowHalf)          \
+  FIELD(mass, float, directionMass, .z, "mass", HashField::energyAndMass, kLowHalf)                    \
+  FIELD(push_x, float, push, .x, "push_x", HashField::push, kHighHalf)                                 \
+  FIELD(push_y, float, push, .y, "push_y", HashField::push, kLowHalf)                                  \
+  FIELD(state, uint32_t, state, .x, "state", HashField::stateAndTimer, kHighHalf)                      \
+  FIELD(timer, uint32_t, state, .y, "timer", HashField::stateAndTimer, kLowHalf)                       \
+  FIELD(cooldown, uint32_t, state, .z, "cooldown", HashField::cooldownAndFlags, kHighHalf)             \
+  FIELD(flags, uint32_t, state, .w, "flags", HashField::cooldownAndFlags, kLowHalf)                    \
+  FIELD(birthTick, uint32_t, birthTick, , "birth_tick", HashField::typeAndBirth, kLowHalf)             \
   FIELD(target, uint32_t, target, , "target", HashField::target, kLowHalf)
 
 // What stands by id within one tick only, written before it is read. BUFFER(name, Type, how many of it per id, the

@@ -26,7 +26,7 @@ GW_FN uint32_t fieldBits(uint32_t value) {
 constexpr uint32_t kCellField = 0xCE11u;  // far above the fields of entities, whose owners are ids
 constexpr uint32_t kDamageField = 0xDEADu;
 
-// One team: a run of ids, whose hashes are added up field by field; sums of integers do not mind who adds first. By id,
+// One team: a run of ids, whose hashes are added up field by field; sums of integers do not depend on the order. By id,
 // so that all but the cells is read in the order in which it lies.
 struct HashEntities {
   static constexpr uint32_t kIds = 512;
@@ -44,7 +44,7 @@ struct HashEntities {
     team.phase([&](uint32_t lane) {
       uint64_t sums[kHashFields] = {};
       for (uint32_t id = begin + lane; id < end; id += kLanes) addId(id, sums);
-      if (team.index == 0) sums[uint32_t(HashField::master)] = partOfTables(lane);
+      if (team.index == 0) sums[uint32_t(HashField::globals)] = partOfTables(lane);
       for (uint32_t field = 0; field < kHashFields; ++field) s.sums[field][lane] = sums[field];
     });
     team.phase([&](uint32_t lane) {
@@ -60,7 +60,7 @@ struct HashEntities {
   GW_BODY void addId(uint32_t id, uint64_t* sums) const {
     const uint32_t i = v.cellOf[id];
     const Cell cell = i < v.capacity ? v.moved[i] : Cell{0.0f, 0.0f, kNobody, kTypeNone};
-    // The empty cells too: who is born there depends on it.
+    // The empty cells too: they decide which entity is born there.
     if (withArrangement) sums[uint32_t(HashField::arrangement)] += hashWord(i, kCellField, id);
     if (cell.id != id) {  // with as many cells as ids: when each id's cell is its own, each cell's id is
       sums[uint32_t(HashField::arrangement)] += hashWord(i, kDamageField, cell.id);
@@ -68,7 +68,7 @@ struct HashEntities {
     }
     if (cell.type != kTypeNone) return addEntity(cell, sums);
     if (cell.x != kInfinity || cell.y != kInfinity) {
-      sums[uint32_t(HashField::place)] += hashWord(i, kDamageField, pair(cell.x, cell.y));
+      sums[uint32_t(HashField::position)] += hashWord(i, kDamageField, pair(cell.x, cell.y));
     }
   }
 

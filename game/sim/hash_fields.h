@@ -11,9 +11,9 @@ namespace gw {
 // numbers are written in replays, and those of entities key the words that are hashed: never reorder.
 #define GW_HASH_FIELDS(FIELD)                   \
   FIELD(typeAndBirth, "type and birth tick")    \
-  FIELD(place, "place")                         \
+  FIELD(position, "place")                      \
   FIELD(velocity, "velocity")                   \
-  FIELD(placeBefore, "place before")            \
+  FIELD(previousPosition, "place before")       \
   FIELD(force, "force")                         \
   FIELD(energyAndMass, "energy and mass")       \
   FIELD(direction, "direction")                 \
@@ -22,7 +22,7 @@ namespace gw {
   FIELD(cooldownAndFlags, "cooldown and flags") \
   FIELD(target, "target")                       \
   FIELD(arrangement, "arrangement")             \
-  FIELD(master, "master and tables")
+  FIELD(globals, "master and tables")
 
 #define GW_NUMBER(name, text) name,
 enum class HashField : uint32_t { GW_HASH_FIELDS(GW_NUMBER) count };

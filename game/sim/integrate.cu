@@ -1,5 +1,5 @@
 // Integrate: Euler steps. Velocity from force and mass, position from velocity; the world's bounds; the
-// place before is kept. Reads `cells`, writes `moved` for every cell, the dead ones too.
+// previous position is kept. Reads `cells`, writes `moved` for every cell, the dead ones too.
 #include "game/sim/entity_flags.h"
 #include "game/sim/stages.h"
 #include "gpu/math/exact_math.h"
@@ -13,7 +13,7 @@ struct Integrate {
 
   GW_BODY void operator()(uint32_t i) const {
     const Cell cell = v.cells[i];
-    if (v.master->over || cell.type == kTypeNone) {
+    if (v.globals->over || cell.type == kTypeNone) {
       v.moved[i] = cell;
     } else if (isEnemy(cell.type)) {
       enemy(i, cell);
@@ -56,14 +56,14 @@ struct Integrate {
     atomicRaiseTo(v.scratch->longestStep2, bitsOf(dx * dx + dy * dy));
   }
 
-  // Walls turn an enemy round; it never leaves the world.
-  GW_BODY static void reflect(float& place, float& velocity, float& direction, float low, float high) {
-    if (place < low) {
-      place = low;
+  // Walls reflect an enemy; it never leaves the world.
+  GW_BODY static void reflect(float& position, float& velocity, float& direction, float low, float high) {
+    if (position < low) {
+      position = low;
       velocity = magnitude(velocity);
       direction = magnitude(direction);
-    } else if (place > high) {
-      place = high;
+    } else if (position > high) {
+      position = high;
       velocity = -magnitude(velocity);
       direction = -magnitude(direction);
     }

@@ -1,4 +1,4 @@
-// Logic: the master thread. One item, O(1): it never loops over entities, only over rules and commands.
+// Logic. One item, O(1): it never loops over entities, only over rules and commands.
 #include "game/sim/behaviour/waves.h"
 #include "game/sim/stages.h"
 #include "gpu/math/exact_math.h"
@@ -8,11 +8,11 @@ namespace {
 
 constexpr float kMuzzle_m = 0.55f;  // from the ship's middle to where shots are born
 
-struct MasterThread {
+struct GameLogic {
   View v;
 
   GW_BODY void operator()(uint32_t) const {
-    Master& m = *v.master;
+    GameGlobals& m = *v.globals;
     TickScratch& s = *v.scratch;
     const Rules& r = v.tables->rules;
     s.commandCount = s.births = 0;
@@ -26,8 +26,8 @@ struct MasterThread {
 
     ++m.tick;
     const Totals last = m.totals;
-    count(m, r, last);
-    suffer(m, s, r, last);
+    countKills(m, r, last);
+    applyContact(m, s, r, last);
     m.over = uint32_t(endingOf(m, r, last));
     if (m.over) {
       m.totals.contact = 0;
@@ -36,15 +36,15 @@ struct MasterThread {
     }
     m.totals = Totals{};
     s.bitRoom = kBitCapacity - smaller(kBitCapacity, last.occupied[kTypeBit]);
-    fly(m, r, s.input);
-    fire(m, s, r, s.input, last);
-    flush(m, s, r, s.input);
+    moveShip(m, r, s.input);
+    fireSalvo(m, s, r, s.input, last);
+    updateFlush(m, s, r, s.input);
     Waves{m, s, *v.tables, last}.run();
     m.input = s.input;
   }
 
   // What died and what was collected in the last tick.
-  GW_BODY void count(Master& m, const Rules& r, const Totals& last) const {
+  GW_BODY void countKills(GameGlobals& m, const Rules& r, const Totals& last) const {
     uint64_t points = 0, bare = 0;
     uint32_t enemies = 0;
     for (uint32_t t = 0; t < kMaxEnemyTypes; ++t) {
@@ -63,7 +63,7 @@ struct MasterThread {
       ++m.flushScores;
       if (m.flushes < r.flush.most) ++m.flushes;
     }
-    // Bits give time back, out of a bank that fills slowly: a horde of bits is no way to live for ever.
+    // Bits give time back, out of a bank that fills slowly: a horde of bits must not make the run endless.
     m.bank_us = smaller(m.bank_us + r.budget.bankFill_us, r.budget.bankMax_us);
     uint32_t back = smaller(last.bitsTaken * r.budget.bitReturns_us, m.bank_us);
     back = smaller(back, m.frameTime_us - smaller(m.frameTime_us, r.budget.start_us));
@@ -72,7 +72,7 @@ struct MasterThread {
   }
 
   // One contact a tick, the costliest, then the lowest id.
-  GW_BODY void suffer(Master& m, TickScratch& s, const Rules& r, const Totals& last) const {
+  GW_BODY void applyContact(GameGlobals& m, TickScratch& s, const Rules& r, const Totals& last) const {
     m.blast = kBlastNone;
     m.blastId = kNobody;
     if (m.ship.untouchable_ticks > 0) --m.ship.untouchable_ticks;
@@ -89,7 +89,7 @@ struct MasterThread {
   }
 
   // Frame time, or the clock; practice has no end.
-  GW_BODY void charge(Master& m, const Rules& r, uint32_t cost_us) const {
+  GW_BODY void charge(GameGlobals& m, const Rules& r, uint32_t cost_us) const {
     if (v.tables->mode == Mode::deadline) {
       m.clock_ticks -= smaller(m.clock_ticks, cost_us * r.deadline.contactTicks_per_ms / 1000);
     } else {
@@ -98,7 +98,7 @@ struct MasterThread {
     if (v.tables->mode == Mode::practice) m.frameTime_us = smaller(m.frameTime_us, r.budget.limit_us);
   }
 
-  GW_BODY Ending endingOf(Master& m, const Rules& r, const Totals& last) const {
+  GW_BODY Ending endingOf(GameGlobals& m, const Rules& r, const Totals& last) const {
     if (m.frameTime_us > r.budget.limit_us) return Ending::frameRate;
     if (v.tables->mode == Mode::deadline) {
       if (m.clock_ticks == 0) return Ending::timeUp;
@@ -112,7 +112,7 @@ struct MasterThread {
     return Ending::none;
   }
 
-  GW_BODY void fly(Master& m, const Rules& r, InputRecord input) const {
+  GW_BODY void moveShip(GameGlobals& m, const Rules& r, InputRecord input) const {
     Ship& ship = m.ship;
     float wish_x = float(input.move_x) / float(kStickFull), wish_y = float(input.move_y) / float(kStickFull);
     const float l = length(wish_x, wish_y);
@@ -134,7 +134,7 @@ struct MasterThread {
     ship.aim_rad = float(input.aim) * (kTwoPi / 65536.0f);
   }
 
-  GW_BODY void fire(Master& m, TickScratch& s, const Rules& r, InputRecord input, const Totals& last) const {
+  GW_BODY void fireSalvo(GameGlobals& m, TickScratch& s, const Rules& r, InputRecord input, const Totals& last) const {
     if (m.ship.fire_ticks > 0) --m.ship.fire_ticks;
     if (!(input.buttons & kButtonFire) || m.ship.fire_ticks > 0) return;
     uint32_t level = 0;
@@ -151,11 +151,11 @@ struct MasterThread {
     salvo.angle_rad = m.ship.aim_rad;
     salvo.spread_rad = shot.spread_rad;
     salvo.hits = shot.hits;
-    order(m, s, salvo, kShotCapacity - smaller(kShotCapacity, last.occupied[kTypeShot]));
+    queueCommand(m, s, salvo, kShotCapacity - smaller(kShotCapacity, last.occupied[kTypeShot]));
   }
 
   // The ring of the flush; what it meets is collide's work.
-  GW_BODY void flush(Master& m, TickScratch& s, const Rules& r, InputRecord input) const {
+  GW_BODY void updateFlush(GameGlobals& m, TickScratch& s, const Rules& r, InputRecord input) const {
     if (m.flushRadius_m > 0.0f) {
       m.flushRadius_m += r.flush.speed_mps * kTick_s;
       if (m.flushRadius_m > r.flush.reach_m) m.flushRadius_m = 0.0f;
@@ -174,7 +174,7 @@ struct MasterThread {
 }  // namespace
 
 void logic(Queue& queue, const View& view) {
-  forEach(queue, Count{1}, MasterThread{view});
+  forEach(queue, Count{1}, GameLogic{view});
 }
 
 }  // namespace gw::GW_DEVICE

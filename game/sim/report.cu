@@ -11,7 +11,7 @@ struct Report {
   View v;
 
   GW_BODY void operator()(uint32_t) const {
-    const Master& m = *v.master;
+    const GameGlobals& m = *v.globals;
     TickScratch& s = *v.scratch;
     TickReport& report = *v.report;  // in place: as a local it would not fit the registers of a thread
     report = TickReport{};
@@ -19,7 +19,7 @@ struct Report {
     report.over = m.over != 0;
     report.ending = Ending(m.over);
     for (uint32_t field = 0; field < kHashFields; ++field) {
-      const uint64_t sum = s.fieldHashes[field] + (field == uint32_t(HashField::master) ? masterHash(m) : 0);
+      const uint64_t sum = s.fieldHashes[field] + (field == uint32_t(HashField::globals) ? globalsHash(m) : 0);
       report.fieldHashes[field] = sum;
       report.hash += sum;
       s.fieldHashes[field] = 0;  // for the next tick to add up
@@ -67,10 +67,10 @@ struct Report {
   }
 
  private:
-  GW_BODY static uint64_t masterHash(const Master& m) {
+  GW_BODY static uint64_t globalsHash(const GameGlobals& m) {
     const uint32_t* words = reinterpret_cast<const uint32_t*>(&m);
     uint64_t sum = 0;
-    for (uint32_t w = 0; w < sizeof(Master) / 4; w += 2)
+    for (uint32_t w = 0; w < sizeof(GameGlobals) / 4; w += 2)
       sum += hashWord(kNobody, w, uint64_t(words[w]) << 32 | words[w + 1]);
     return sum;
   }
@@ -93,7 +93,7 @@ struct Report {
     }
   }
 
-  GW_BODY void pops(TickReport& report, const Master& m, const TickScratch& s) const {
+  GW_BODY void pops(TickReport& report, const GameGlobals& m, const TickScratch& s) const {
     for (uint32_t side = 0; side < kPans; ++side) {
       if (s.pops[side] == 0) continue;
       const uint32_t id = ~uint32_t(s.pops[side]);

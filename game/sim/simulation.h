@@ -45,7 +45,7 @@ struct SimulationConfig {
   std::optional<Sort> sort{};  // none: the usual one of the gather
   Sort sortInUse() const { return sort.value_or(usualSort(gather)); }
 
-  // Sparks of what happens, for whoever draws. They cost a little of every tick, and no bit of the game
+  // Sparks of events, for drawing. They cost a little of every tick, and no bit of the game
   // depends on them.
   bool particles = false;
 
@@ -62,7 +62,7 @@ struct SimulationConfig {
 enum class SoundEvent : uint32_t { shot, contact, bit, wave, flush, over, count };
 inline constexpr uint32_t kPans = 3;
 
-// A kill worth showing: the costliest of a tick on each side of the ship.
+// A kill worth showing: the most valuable of a tick on each side of the ship.
 struct Pop {
   float x = 0, y = 0;   // m
   uint32_t points = 0;  // its value times the multiplier; 0: none
@@ -110,15 +110,15 @@ struct TickReport {
 
 // The whole simulated state in canonical form: equal states give equal bytes on every device.
 struct Snapshot {
-  std::vector<uint8_t> master;         // the master thread's globals
+  std::vector<uint8_t> globals;        // the globals of the game
   std::vector<EntityRecord> entities;  // live ones, by ascending id
   // The id in each cell, the empty ones included. Only of games with an inexact gather; an exact one takes no
   // notice of it, and an inexact one that is given none arranges the entities afresh.
   std::vector<uint32_t> arrangement;
 };
 
-// What sprites are coloured by: their type, or the row of the grid that they stand in, for whoever looks at how the
-// grid lies in the world.
+// What sprites are coloured by: their type, or the row of the grid that they stand in, which shows how the grid lies in
+// the world.
 enum class Colouring : uint32_t { types, rows };
 
 // Which part of the world the draw list covers.
@@ -154,11 +154,11 @@ struct CandidateCount {
   double search_ms = 0;   // what searching took, without adding up
 };
 
-// Who lives, counted on the device.
+// Live counts, made on the device.
 struct Census {
   uint32_t enemies[kMaxEnemyTypes] = {};  // by type; the announced ones too, the dying ones not
   uint32_t shots = 0, bits = 0;
-  // Who stood in the grid when neighbours were searched last; of those, for an NGrid, who stood before their
+  // Entities in the grid at the last search for neighbours; of those, for an NGrid, how many stood before their
   // predecessor on a row or a column.
   uint32_t searched = 0;
   std::optional<uint32_t> misaligned{};
@@ -186,7 +186,7 @@ class Simulation {
 
   virtual Snapshot snapshot() = 0;
   // Restores the state; the next tick continues from it. Throws std::invalid_argument on one that does
-  // not fit (an id past the capacity, ids out of order, a master of another size, an arrangement that does not
+  // not fit (an id past the capacity, ids out of order, globals of another size, an arrangement that does not
   // hold every id once).
   virtual void restore(const Snapshot& snapshot) = 0;
 

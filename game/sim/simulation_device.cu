@@ -94,7 +94,7 @@ class DeviceSimulation final : public Simulation, private Inspection {
 
   void drawList(const DrawView& view, const DrawTarget& target) override {
     drawList_.run(queue_, next(), view, target);
-    queue_.synchronise();  // whoever reads it next is on no queue of ours
+    queue_.synchronise();  // its next reader is on no queue of ours
   }
 
   void particleList(const DrawView& view, float sinceTick_ticks, const ParticleTarget& target) override {

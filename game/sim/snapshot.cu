@@ -8,7 +8,7 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-// One item: one id, whose cell of the next tick's start is put where the NGrid has just placed it.
+// One item: one id. Puts its cell of the next tick's start where the NGrid has just arranged it.
 struct PlaceById {
   Cell* cells;
   const uint32_t* cellOf;
@@ -16,7 +16,7 @@ struct PlaceById {
   GW_BODY void operator()(uint32_t id) const { cells[cellOf[id]] = byId[id]; }
 };
 
-// One item: one cell, whose id is put down as standing there.
+// One item: one cell. Fills it with its id of the arrangement.
 struct FillByArrangement {
   Cell* cells;
   uint32_t* cellOf;
@@ -45,7 +45,7 @@ void checkArrangement(const std::vector<uint32_t>& arrangement, uint32_t capacit
 void checkSnapshot(const Snapshot& snapshot, const Tables& tables, Gather gather) {
   const uint32_t capacity = tables.limits.capacity;
   if (isArrangementState(gather) && !snapshot.arrangement.empty()) checkArrangement(snapshot.arrangement, capacity);
-  if (snapshot.master.size() != sizeof(Master)) {
+  if (snapshot.globals.size() != sizeof(GameGlobals)) {
     throw std::invalid_argument("The snapshot was made by another version of the game; take a new one.");
   }
   for (size_t i = 0; i < snapshot.entities.size(); ++i) {
@@ -72,10 +72,10 @@ void checkSnapshot(const Snapshot& snapshot, const Tables& tables, Gather gather
 
 Snapshot takeSnapshot(const GameState& state, const View& next) {
   Snapshot snapshot;
-  snapshot.master.resize(sizeof(Master));
-  Master master;
-  state.master.download(&master, 1);
-  std::memcpy(snapshot.master.data(), &master, sizeof master);
+  snapshot.globals.resize(sizeof(GameGlobals));
+  GameGlobals globals;
+  state.globals.download(&globals, 1);
+  std::memcpy(snapshot.globals.data(), &globals, sizeof globals);
 
   const EntityCopies copies(state, next, Side::start, Side::start);
   if (isArrangementState(next.near.gather)) {
@@ -100,9 +100,9 @@ void restoreSnapshot(Queue& queue, GameState& state, const View& next, const Sna
     before[e.id] = {e.previous_x, e.previous_y, e.id, e.type};
   }
   const int side = state.cells[0].data() == next.cells ? 0 : 1;
-  Master master;
-  std::memcpy(&master, snapshot.master.data(), sizeof master);
-  state.master.upload(&master, 1);
+  GameGlobals globals;
+  std::memcpy(&globals, snapshot.globals.data(), sizeof globals);
+  state.globals.upload(&globals, 1);
   uploadEntities(state, next, snapshot.entities);
 
   // Neighbours are found over the start of the last tick, as maintain left it; the end of that tick then

@@ -1,4 +1,4 @@
-// The simulated state in canonical form: by id; the NGrid's arrangement only where it is felt.
+// The simulated state in canonical form: by id; the NGrid's arrangement only where it has an influence.
 #pragma once
 
 #include "game/sim/state.h"

@@ -1,6 +1,6 @@
 // Spawn: births take the lowest free ids, commands first and in order, then the bits of what died in the
 // last tick by parent id. Free ids are ranked by a scan over ids, never over cells, so that the NGrid's
-// arrangement cannot be felt. What died leaves its cell here.
+// arrangement has no influence. What died leaves its cell here.
 #include "game/sim/behaviour/spawn_patterns.h"
 #include "game/sim/entity_access.h"
 #include "game/sim/entity_flags.h"
@@ -27,12 +27,12 @@ struct CountBirths {
   }
 };
 
-// One item: one id, which is freed, filled or left alone. Nobody threatens anybody yet.
+// One item: one id, which is freed, filled or left alone. No shot threatens it yet.
 struct FillIds {
   View v;
 
   GW_BODY void operator()(uint32_t id) const {
-    const Master& m = *v.master;
+    const GameGlobals& m = *v.globals;
     v.threat[id] = 0;  // for this tick's shots to raise
     if (m.over) return;
     const TickScratch& s = *v.scratch;
@@ -48,25 +48,25 @@ struct FillIds {
       const uint32_t command = commandOf(rank);
       const Command& c = s.commands[command];
       if (c.type == kTypeShot) {
-        bearShot(id, cell, c, rank - c.firstBirth);
+        spawnShot(id, cell, c, rank - c.firstBirth);
       } else {
-        bearEnemy(id, cell, c, command, rank - c.firstBirth);
+        spawnEnemy(id, cell, c, command, rank - c.firstBirth);
       }
-    } else if (rank - s.births < ownBirths()) {
-      bearBit(id, cell, rank - s.births);
+    } else if (rank - s.births < bitBirths()) {
+      spawnBit(id, cell, rank - s.births);
     }
   }
 
  private:
   // Bits that are born: those that fit.
-  GW_BODY uint32_t ownBirths() const {
+  GW_BODY uint32_t bitBirths() const {
     const uint32_t wanted = uint32_t(v.birthScan.total() >> 32), fits = v.scratch->bitRoom;
     return wanted < fits ? wanted : fits;
   }
 
   GW_BODY void countRefused() const {
     const uint32_t wanted = uint32_t(v.birthScan.total() >> 32);
-    v.master->refused += wanted - ownBirths();
+    v.globals->refused += wanted - bitBirths();
   }
 
   GW_BODY uint32_t commandOf(uint32_t birth) const {
@@ -91,29 +91,29 @@ struct FillIds {
   }
 
   // What every newborn has: it stands where it is born, and all else is 0 until its kind says more.
-  GW_BODY EntityRecord newborn(uint32_t id, uint32_t type, Float2 place, Float2 velocity, Float2 direction) const {
+  GW_BODY EntityRecord newborn(uint32_t id, uint32_t type, Float2 position, Float2 velocity, Float2 direction) const {
     EntityRecord e{};
     e.id = id;
     e.type = type;
-    e.x = e.previous_x = place.x + 0.0f;
-    e.y = e.previous_y = place.y + 0.0f;
+    e.x = e.previous_x = position.x + 0.0f;
+    e.y = e.previous_y = position.y + 0.0f;
     e.velocity_x = velocity.x;
     e.velocity_y = velocity.y;
     e.direction_x = direction.x;
     e.direction_y = direction.y;
-    e.birthTick = v.master->tick;
+    e.birthTick = v.globals->tick;
     e.target = kNobody;
     return e;
   }
 
-  GW_BODY void bearShot(uint32_t id, uint32_t cell, const Command& c, uint32_t k) const {
+  GW_BODY void spawnShot(uint32_t id, uint32_t cell, const Command& c, uint32_t k) const {
     const Rules::Shot& shot = v.tables->rules.shot;
     const float middle = float(k) - 0.5f * float(c.count - 1);
     const SineCosine aim = sineCosine(c.angle_rad + middle * c.spread_rad);
     const float abreast = c.spread_rad > 0.0f ? 0.0f : middle * kAbreast_m;
-    const Float2 place = {c.x - aim.sine * abreast, c.y + aim.cosine * abreast};
-    EntityRecord e =
-        newborn(id, kTypeShot, place, {aim.cosine * shot.speed_mps, aim.sine * shot.speed_mps}, {aim.cosine, aim.sine});
+    const Float2 position = {c.x - aim.sine * abreast, c.y + aim.cosine * abreast};
+    EntityRecord e = newborn(id, kTypeShot, position, {aim.cosine * shot.speed_mps, aim.sine * shot.speed_mps},
+                             {aim.cosine, aim.sine});
     e.energy = shot.damage;
     e.timer = shot.life_ticks;
     e.cooldown = c.hits;
@@ -121,20 +121,20 @@ struct FillIds {
     putEntity(v, cell, e);
   }
 
-  GW_BODY void bearEnemy(uint32_t id, uint32_t cell, const Command& c, uint32_t command, uint32_t k) const {
-    const Master& m = *v.master;
+  GW_BODY void spawnEnemy(uint32_t id, uint32_t cell, const Command& c, uint32_t command, uint32_t k) const {
+    const GameGlobals& m = *v.globals;
     const EnemyRules& rules = v.tables->rules.enemies[c.type];
-    const Float2 place = birthPlace(c, k, m.seed, m.tick, command, *v.tables);
-    const Float2 toShip = normalised(m.ship.x - place.x, m.ship.y - place.y);
-    EntityRecord e = newborn(id, c.type, place, {0.0f, 0.0f}, toShip);
+    const Float2 position = birthPosition(c, k, m.seed, m.tick, command, *v.tables);
+    const Float2 toShip = normalised(m.ship.x - position.x, m.ship.y - position.y);
+    EntityRecord e = newborn(id, c.type, position, {0.0f, 0.0f}, toShip);
     e.energy = rules.energy;
     e.mass = rules.mass;
     e.state = uint32_t(State::wandering);
     putEntity(v, cell, e);
   }
 
-  GW_BODY void bearBit(uint32_t id, uint32_t cell, uint32_t k) const {
-    const Master& m = *v.master;
+  GW_BODY void spawnBit(uint32_t id, uint32_t cell, uint32_t k) const {
+    const GameGlobals& m = *v.globals;
     const Float4 parent = v.velocityPrevious[parentOf(k)];
     const Uint4 dice = philox(m.seed, {m.tick, k, kPurposeScatter, 0});
     const SineCosine way = sineCosine(unitFloat(dice.x) * kTwoPi);

@@ -31,7 +31,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   const uint32_t n = limits_.capacity;
   birthScan_ = Scan(queue, n);
   tables = Buffer<Tables>(queue, 1);
-  master = Buffer<Master>(queue, 1);
+  globals = Buffer<GameGlobals>(queue, 1);
   scratch = Buffer<TickScratch>(queue, 1);
   report = Buffer<TickReport>(queue, 1);
   cellOf = Buffer<uint32_t>(queue, n);
@@ -69,7 +69,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   for (uint32_t w = 0; w < Tables::kWords; ++w) host.checksum += host.wordHash(w);
   tables.upload(&host, 1);
 
-  Master start;
+  GameGlobals start;
   start.seed = config.seed;
   start.ship.x = start.ship.previous_x = 0.5f * limits_.width_m;
   start.ship.y = start.ship.previous_y = 0.5f * limits_.height_m;
@@ -78,7 +78,7 @@ GameState::GameState(Queue& queue, const SimulationConfig& config)
   start.endlessPoints = config.rules.endless.points;
   if (config.mode == Mode::deadline) start.clock_ticks = config.rules.deadline.clock_ticks;
   if (config.mode == Mode::swarm) start.multiplierTenths = config.rules.swarm.multiplierTenths;
-  master.upload(&start, 1);
+  globals.upload(&start, 1);
 
   if (!arranged) {
     for (Buffer<Cell>& side : cells) neighbourhood_.arrange(queue, side.data(), cellOf.data());
@@ -90,7 +90,7 @@ View GameState::view(uint32_t parity) const {
   const uint32_t front = parity % 2, back = 1 - front;
   View v{};
   v.tables = tables.data();
-  v.master = master.data();
+  v.globals = globals.data();
   v.scratch = scratch.data();
   v.report = report.data();
   v.cells = cells[front].data();

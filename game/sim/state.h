@@ -9,7 +9,7 @@
 #include "game/sim/behaviour/state_tables.h"
 #include "game/sim/broad_phase.h"
 #include "game/sim/entity_fields.h"
-#include "game/sim/master.h"
+#include "game/sim/game_globals.h"
 #include "game/sim/simulation.h"
 #include "gpu/math/state_hash.h"
 #include "gpu/primitives/scan_reduce.h"
@@ -33,7 +33,7 @@ inline constexpr uint32_t Tables::kWords = (sizeof(Tables) - sizeof(uint64_t)) /
 
 struct View {
   const Tables* tables;
-  Master* master;
+  GameGlobals* globals;
   TickScratch* scratch;
   TickReport* report;
 
@@ -84,7 +84,7 @@ GW_FN bool isEnemy(uint32_t type) {
 
 // Harmless and untouchable: it only shows where it will be.
 GW_FN bool isAnnounced(const View& v, uint32_t id) {
-  return v.master->tick - v.birthTick[id] < v.tables->rules.world.announced_ticks;
+  return v.globals->tick - v.birthTick[id] < v.tables->rules.world.announced_ticks;
 }
 
 // Distances of an enemy's type from its middle.
@@ -104,7 +104,7 @@ class GameState {
   Scan& birthScan() { return birthScan_; }
 
   Buffer<Tables> tables;
-  Buffer<Master> master;
+  Buffer<GameGlobals> globals;
   Buffer<TickScratch> scratch;
   Buffer<TickReport> report;
   Buffer<Cell> cells[2];

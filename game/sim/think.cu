@@ -1,7 +1,7 @@
 // Think: each enemy runs its state machine and writes its state and steering force; each bit looks for the
 // ship. Reads the front of force + energy and direction + mass, writes the back, for every living entity.
 //
-// In two passes: warn, in which the few shots tell the many enemies ahead of them that they come; and think.
+// In two passes: the few shots mark themselves as threats to the many enemies ahead of them; then think.
 #include "game/sim/behaviour/behaviour_group.h"
 #include "game/sim/behaviour/behaviour_kamikaze.h"
 #include "game/sim/behaviour/behaviour_tricky.h"
@@ -15,23 +15,23 @@ constexpr float kBitDrag = 0.94f;  // share of its velocity that a drifting bit 
 
 // One item: one cell; works for shots. Each enemy keeps the nearest shot that would hit or graze it.
 template <class Search>
-struct Warn {
+struct MarkThreats {
   View v;
   Search search;
 
   GW_BODY void operator()(uint32_t i) const {
     const Cell shot = v.cells[i];
-    if (shot.type != kTypeShot || v.master->over) return;
+    if (shot.type != kTypeShot || v.globals->over) return;
     const Rules& r = v.tables->rules;
-    const Float4 flight = v.directionMass[shot.id];
-    search.around(i, placeOf(shot), r.steering.threat_m, [&](const Cell& other, uint32_t, Float2 away) {
+    const Float4 direction = v.directionMass[shot.id];
+    search.around(i, placeOf(shot), r.steering.threat_m, [&](const Cell& other, uint32_t, Float2 offset) {
       if (!isEnemy(other.type) || !isOneOf(r.enemies[other.type].machine, kDodgingMachines)) return;
-      if (flight.x * away.x + flight.y * away.y <= 0.0f) return;  // behind it
-      const float across = magnitude(flight.x * away.y - flight.y * away.x);
+      if (direction.x * offset.x + direction.y * offset.y <= 0.0f) return;  // behind it
+      const float across = magnitude(direction.x * offset.y - direction.y * offset.x);
       if (across > reachOf(r.enemies[other.type]) + r.steering.threatMargin_m) return;
       // Squared distances are not negative, so their bits are ordered as they are.
-      const uint64_t turn = uint64_t(bitsOf(away.x * away.x + away.y * away.y)) << 32 | shot.id;
-      atomicRaiseTo(v.threat[other.id], ~turn);
+      const uint64_t nearness = uint64_t(bitsOf(offset.x * offset.x + offset.y * offset.y)) << 32 | shot.id;
+      atomicRaiseTo(v.threat[other.id], ~nearness);
     });
   }
 };
@@ -47,7 +47,7 @@ struct Think {
     if (cell.type == kTypeNone) return;
     v.nextForceEnergy[cell.id] = v.forceEnergy[cell.id];
     v.nextDirectionMass[cell.id] = v.directionMass[cell.id];
-    if (v.master->over) return;
+    if (v.globals->over) return;
     v.event[cell.id] = 0;
     if (isEnemy(cell.type)) {
       enemy(i, cell);
@@ -58,7 +58,7 @@ struct Think {
 
  private:
   GW_BODY void enemy(uint32_t i, const Cell& cell) const {
-    const Master& m = *v.master;
+    const GameGlobals& m = *v.globals;
     const Rules& r = v.tables->rules;
     const EnemyRules& rules = r.enemies[cell.type];
     const uint64_t threat = v.threat[cell.id];
@@ -76,18 +76,19 @@ struct Think {
     if (before == State::avoiding && state.y > 0) --state.y;
     if (state.z > 0) --state.z;
     uint32_t conditions = conditionsOf(self, state, rules, threat);
-    // Company is asked for in turns: a horde would do little else. Who has just lost the ship asks at once.
-    const bool turn = (m.tick + cell.id) % kAskEvery_ticks == 0;
+    // Its own kind is gathered every kAskEvery_ticks, staggered by id, because gathers are most of the cost of a horde.
+    // An enemy that has just lost the ship gathers at once.
+    const bool due = (m.tick + cell.id) % kAskEvery_ticks == 0;
     const bool looks = isOneOf(rules.machine, kFlockingMachines) && (kLooksAround >> uint32_t(before) & 1u) != 0;
-    Company company;
+    Flock flock;
     if (looks && before == State::attacking && !(conditions & kLostShip)) {
-      // Whoever sees the ship needs nobody, but for a group's heading. In between its own, which holds theirs, stands
-      // for it.
-      if (!turn) company.heading.add(direction.x, direction.y, kSteerScale);
-      if (turn && rules.machine == Machine::group) lookAlong(i, cell, rules.vision_m, company);
-    } else if (looks && (turn || before == State::attacking)) {
-      lookAround(i, cell, rules.vision_m, company);
-      conditions |= company.count > 0 ? kOwnKind : kAlone;
+      // An enemy that sees the ship needs at most its group's heading. In between, its own heading, which follows the
+      // group's, stands for it.
+      if (!due) flock.heading.add(direction.x, direction.y, kSteerScale);
+      if (due && rules.machine == Machine::group) gatherHeadings(i, cell, rules.vision_m, flock);
+    } else if (looks && (due || before == State::attacking)) {
+      gatherFlock(i, cell, rules.vision_m, flock);
+      conditions |= flock.count > 0 ? kOwnKind : kAlone;
     }
     const State after = nextState(v.tables->machines[uint32_t(rules.machine)], before, conditions);
     if (after == State::checkingEnergy) state.w &= ~uint32_t(kFlagHit);
@@ -96,10 +97,10 @@ struct Think {
       state.z = rules.avoidCooldown_ticks;
       const uint32_t shot = ~uint32_t(threat);
       const Cell from = v.cells[v.cellOf[shot]];
-      const Float4 flight = v.directionMass[shot];
-      const Float2 way = awayFromPath({flight.x, flight.y}, {cell.x - from.x, cell.y - from.y}, cell.id);
-      self.direction_x = way.x;
-      self.direction_y = way.y;
+      const Float4 shotDirection = v.directionMass[shot];
+      const Float2 away = awayFromPath({shotDirection.x, shotDirection.y}, {cell.x - from.x, cell.y - from.y}, cell.id);
+      self.direction_x = away.x;
+      self.direction_y = away.y;
     }
     state.x = uint32_t(after);
     v.state[cell.id] = state;
@@ -109,36 +110,36 @@ struct Think {
     }
     if (after == State::dead) return;
 
-    const Wish wish = wishOf(self, after, company, rules);
+    const DesiredMotion desired = desiredMotionOf(self, after, flock, rules);
     const float response = after == State::avoiding ? r.steering.avoidResponse : r.steering.response;
-    const Float2 steer = steeringForce(self, wish, response);
+    const Float2 steer = steeringForce(self, desired, response);
     float energy = force.w;
     if (after == State::escaping) energy = smaller(energy + r.steering.recover_per_s * kTick_s, rules.energy);
     v.nextForceEnergy[cell.id] = {steer.x, steer.y, 0.0f, energy};
-    v.nextDirectionMass[cell.id] = {wish.direction_x, wish.direction_y, direction.z, 0.0f};
+    v.nextDirectionMass[cell.id] = {desired.direction_x, desired.direction_y, direction.z, 0.0f};
   }
 
-  // What died has left its cell in this tick's spawn: all that is found lives.
-  GW_BODY void lookAround(uint32_t i, const Cell& cell, float vision_m, Company& company) const {
+  // Entities that died left their cells in this tick's spawn: all that are found are alive.
+  GW_BODY void gatherFlock(uint32_t i, const Cell& cell, float vision_m, Flock& flock) const {
     search.around(i, placeOf(cell), vision_m, [&](const Cell& other, uint32_t, Float2 away) {
       if (other.type != cell.type || other.id == cell.id) return;
-      const Float4 theirs = v.directionMass[other.id];
-      company.add(away.x, away.y, theirs.x, theirs.y);
+      const Float4 otherDirection = v.directionMass[other.id];
+      flock.add(away.x, away.y, otherDirection.x, otherDirection.y);
     });
   }
 
   // Their heading only.
-  GW_BODY void lookAlong(uint32_t i, const Cell& cell, float vision_m, Company& company) const {
+  GW_BODY void gatherHeadings(uint32_t i, const Cell& cell, float vision_m, Flock& flock) const {
     search.around(i, placeOf(cell), vision_m, [&](const Cell& other, uint32_t, Float2) {
       if (other.type != cell.type || other.id == cell.id) return;
-      const Float4 theirs = v.directionMass[other.id];
-      company.heading.add(theirs.x, theirs.y, kSteerScale);
+      const Float4 otherDirection = v.directionMass[other.id];
+      flock.heading.add(otherDirection.x, otherDirection.y, kSteerScale);
     });
   }
 
   GW_BODY uint32_t conditionsOf(const Self& self, const Uint4& state, const EnemyRules& rules, uint64_t threat) const {
     const Rules::Steering& steering = v.tables->rules.steering;
-    const bool all = v.master->allAttack != 0;
+    const bool all = v.globals->allAttack != 0;
     uint32_t conditions = 0;
     if (state.w & kFlagHit) conditions |= kDamaged;
     if (self.energy <= 0.0f) conditions |= kEnergyGone;
@@ -151,14 +152,15 @@ struct Think {
     return conditions;
   }
 
-  GW_BODY Wish wishOf(const Self& self, State state, const Company& company, const EnemyRules& rules) const {
-    const Master& m = *v.master;
+  GW_BODY DesiredMotion desiredMotionOf(const Self& self, State state, const Flock& flock,
+                                        const EnemyRules& rules) const {
+    const GameGlobals& m = *v.globals;
     const Rules::Steering& steering = v.tables->rules.steering;
     switch (state) {
       case State::attacking:
-        return attack(self, company, rules);
+        return attack(self, flock, rules);
       case State::grouping:
-        return company.count > 0 ? flyInGroup(self, company, steering, m.seed, m.tick) : flyOn(self, steering);
+        return flock.count > 0 ? flyInFlock(self, flock, steering, m.seed, m.tick) : keepHeading(self, steering);
       case State::avoiding:
         return avoid(self, steering);
       case State::escaping:
@@ -170,11 +172,11 @@ struct Think {
     }
   }
 
-  GW_BODY Wish attack(const Self& self, const Company& company, const EnemyRules& rules) const {
+  GW_BODY DesiredMotion attack(const Self& self, const Flock& flock, const EnemyRules& rules) const {
     const Rules::Steering& steering = v.tables->rules.steering;
     switch (rules.machine) {
       case Machine::group:
-        return groupAttack(self, company, steering);
+        return groupAttack(self, flock, steering);
       case Machine::tricky:
         return trickyAttack(self, steering);
       default:
@@ -184,7 +186,7 @@ struct Think {
 
   // A bit near the ship flies to it, and is taken when it arrives.
   GW_BODY void bit(const Cell& cell) const {
-    const Master& m = *v.master;
+    const GameGlobals& m = *v.globals;
     const Rules::Bit& bit = v.tables->rules.bit;
     const float dx = m.ship.x - cell.x, dy = m.ship.y - cell.y, distance = length(dx, dy);
     Float4 motion = v.velocityPrevious[cell.id];
@@ -206,7 +208,7 @@ struct Think {
 void think(Queue& queue, const View& view) {
   const Count all{view.capacity};
   withSearch(view.near, [&](auto search) {
-    forEach(queue, all, Warn<decltype(search)>{view, search});
+    forEach(queue, all, MarkThreats<decltype(search)>{view, search});
     forEach(queue, all, Think<decltype(search)>{view, search});
   });
 }

@@ -210,7 +210,7 @@ float NGrid<CellT>::rowsWidened() const {
 }
 
 template <class CellT>
-UpkeepReport NGrid<CellT>::report(Queue& queue, const CellT* d_cells) {
+UpkeepReport NGrid<CellT>::upkeepReport(Queue& queue, const CellT* d_cells) {
   return {uint32_t(measure(queue, d_cells, dimensions_).misaligned), totals().moved, rounds_, rowsWidened()};
 }
 

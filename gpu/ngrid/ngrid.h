@@ -16,7 +16,7 @@
 //
 // Upkeep after motion, from the thesis: maintain() sorts every line of each axis, transpose() only compares neighbours.
 // Our own, for exact gathers: pack() redistributes the entities into rows by counting, refresh() leaves them in
-// their rows. Two orders to start from: rebuild() and settle(). Ties are broken by the other axes, then by id, so
+// their rows. Two orders to start from: rebuild() and sortUntilStable(). Ties are broken by the other axes, then by id, so
 // the order of a line is unique on every device.
 //
 // An entity at x = +infinity is dead, whatever its other coordinates. Places are not NaN: quarantine() turns those
@@ -107,8 +107,8 @@ enum class Kept { inPlace, packed };
 // What NGrid::report() counts.
 struct UpkeepReport {
   uint32_t misaligned;  // the living that stand before their predecessor on a line of any axis
-  // Entities that the last pass has put into another cell; a swap moves two. None after settle(), nor after rebuild()
-  // in place, which ends by a pass that finds all in order.
+  // Entities that the last pass has put into another cell; a swap moves two. None after sortUntilStable(), nor after
+  // rebuild() in place, which ends by a pass that finds all in order.
   uint32_t moved;
   uint32_t rounds;  // of passes along all axes that it took
   float widened;    // NGrid::rowsWidened()
@@ -178,10 +178,10 @@ class NGrid {
   // The other full sort: maintain() until nothing moves. What windowed gathers start from: in the order of rebuild() a
   // window misses half of the neighbours. It ends, because each sort of a line raises the sum of place times
   // coordinate. Uniform places take 8 to 13 rounds. Waits for the queue after each.
-  void settle(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
+  void sortUntilStable(Queue& queue, CellT* d_cells, uint32_t* d_cellOf);
 
   // How well the lines are in order and what the last upkeep did. O(n); waits for the queue.
-  UpkeepReport report(Queue& queue, const CellT* d_cells);
+  UpkeepReport upkeepReport(Queue& queue, const CellT* d_cells);
 
   // See Steps. O(n); waits for the queue.
   Steps steps(Queue& queue, const CellT* d_cells);

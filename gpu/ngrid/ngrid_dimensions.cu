@@ -158,7 +158,7 @@ NDimensions findDimensions(Queue& queue, const CellT* h_cells, uint32_t n) {
     Buffer<CellT> cells(queue, now.cells());
     Buffer<uint32_t> cellOf(queue, now.cells());
     cells.upload(padded(entities, now));
-    grid.settle(queue, cells.data(), cellOf.data());
+    grid.sortUntilStable(queue, cells.data(), cellOf.data());
     const Steps steps = grid.steps(queue, cells.data());
     float shortest = kInfinity, longest = 0.0f;
     for (float step : steps.along) {

@@ -104,7 +104,7 @@ void NGrid<CellT>::maintain(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, co
 }
 
 template <class CellT>
-void NGrid<CellT>::settle(Queue& queue, CellT* d_cells, uint32_t* d_cellOf) {
+void NGrid<CellT>::sortUntilStable(Queue& queue, CellT* d_cells, uint32_t* d_cellOf) {
   uint32_t rounds = 0;
   do {
     maintain(queue, d_cells, d_cellOf);
@@ -125,8 +125,8 @@ void NGrid<CellT>::sortRows(Queue& queue, CellT* d_cells, uint32_t* d_cellOf, co
 
 template void NGrid<Cell>::maintain(Queue&, Cell*, uint32_t*, const uint32_t*);
 template void NGrid<Cell3>::maintain(Queue&, Cell3*, uint32_t*, const uint32_t*);
-template void NGrid<Cell>::settle(Queue&, Cell*, uint32_t*);
-template void NGrid<Cell3>::settle(Queue&, Cell3*, uint32_t*);
+template void NGrid<Cell>::sortUntilStable(Queue&, Cell*, uint32_t*);
+template void NGrid<Cell3>::sortUntilStable(Queue&, Cell3*, uint32_t*);
 template void NGrid<Cell>::sortRows(Queue&, Cell*, uint32_t*, const uint32_t*, bool);
 template void NGrid<Cell3>::sortRows(Queue&, Cell3*, uint32_t*, const uint32_t*, bool);
 

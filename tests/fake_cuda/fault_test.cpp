@@ -238,7 +238,7 @@ TEST(Fault, WhoChecksLaunchesIsToldWhichKernelFailed) {
       }
     }
   }
-  EXPECT_TRUE(named.count("Integrate") && named.count("MasterThread") && named.count("Think"))
+  EXPECT_TRUE(named.count("Integrate") && named.count("GameLogic") && named.count("Think"))
       << testing::PrintToString(named);
 }
 

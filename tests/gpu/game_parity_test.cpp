@@ -62,7 +62,7 @@ std::string difference(const Game& expected, const Game& actual) {
       return "the autopilot's input at tick " + std::to_string(tick + 1);
     if (expected.hashes[tick] != actual.hashes[tick]) return "the hash of tick " + std::to_string(tick + 1);
   }
-  if (expected.end.master != actual.end.master) return "the master in the snapshot";
+  if (expected.end.globals != actual.end.globals) return "the globals in the snapshot";
   if (expected.end.entities.size() != actual.end.entities.size()) return "the number of entities in the snapshot";
   for (size_t i = 0; i < expected.end.entities.size(); ++i) {
     if (std::memcmp(&expected.end.entities[i], &actual.end.entities[i], sizeof(EntityRecord)) != 0) {

@@ -127,7 +127,7 @@ Words reports(const Probes& device, const ExecOptions& options) {
     for (float step : r.steps) words.push_back(std::bit_cast<uint32_t>(step));
   };
   for (uint32_t layout = 0; layout < kLayouts; ++layout) {
-    for (Upkeep upkeep : {Upkeep::maintain, Upkeep::transpose, Upkeep::pack, Upkeep::settle}) {
+    for (Upkeep upkeep : {Upkeep::maintain, Upkeep::transpose, Upkeep::pack, Upkeep::sortUntilStable}) {
       take(device.report(options, {61, 33}, makeCells({Layout(layout), {61, 33}, 15, layout}), upkeep));
       take(device.report3(options, {17, 9, 8}, makeCells3({Layout(layout), {17, 9, 8}, 15, layout}), upkeep));
     }
@@ -319,7 +319,7 @@ std::vector<ParityCase> makeCases() {
   add("Bins", [](const Probes& device, Options options) { return binnings(device.binCells, options); });
   add("Buckets", [](const Probes& device, Options options) { return binnings(device.hashCells, options); });
   add("Transpose", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::transpose); });
-  add("Settle", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::settle); });
+  add("Settle", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::sortUntilStable); });
   add("AroundByRows",
       [](const Probes& device, Options options) { return gathersAround(device, options, Around::rows); });
   add("AroundByPackedRows",

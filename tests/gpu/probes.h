@@ -20,7 +20,7 @@ struct GridShape {
 
 // packed: rebuilt, then packed. repacked: rebuilt, then all places multiplied by kStretch, then packed: by levels that
 // all have outgrown.
-enum class Upkeep : uint32_t { maintain, rebuild, refresh, transpose, settle, pack, repack };
+enum class Upkeep : uint32_t { maintain, rebuild, refresh, transpose, sortUntilStable, pack, repack };
 inline constexpr float kStretch = 1.25f;
 
 // What binning leaves behind.

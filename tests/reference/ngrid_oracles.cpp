@@ -231,7 +231,7 @@ Arranged<CellT> arrange(GridShape shape, std::vector<CellT>& cells, Upkeep upkee
     case Upkeep::maintain:
       maintain(shape, cells);
       break;
-    case Upkeep::settle:
+    case Upkeep::sortUntilStable:
       for (bool first = true; first || placesById(was) != placesById(cells); first = false) {
         was = cells;
         maintain(shape, cells);

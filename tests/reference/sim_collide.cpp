@@ -107,7 +107,7 @@ void suffer(World& world, Entity& e, const std::vector<std::pair<float, uint32_t
 void meetShip(World& world, Entity& e) {
   const Rules& r = world.rules;
   const EnemyRules& type = world.rulesOf(e);
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   if (world.isAnnounced(e) || e.energy <= 0.0f) return;
   const bool weak = type.energy <= r.ship.weakEnergy;
   const float fromShip = lengthOf({e.x - m.ship.x, e.y - m.ship.y}),

@@ -85,9 +85,9 @@ void integrate(World& world) {
 
 void tick(World& world, const InputRecord& input) {
   world.input = input;
-  if (world.master.over) return;
+  if (world.globals.over) return;
   logic(world);
-  if (world.master.over) return;
+  if (world.globals.over) return;
   spawn(world);
   think(world);
   integrate(world);

@@ -12,7 +12,7 @@ constexpr uint32_t kCommandPurpose = 2, kEndlessPurpose = 5;
 constexpr float kMuzzle = 0.55f;
 
 void scoreLastTick(World& world) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   const Rules& r = world.rules;
   uint32_t alive = 0;
   uint64_t full = 0, bare = 0;
@@ -39,7 +39,7 @@ void scoreLastTick(World& world) {
 }
 
 void sufferContact(World& world) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   if (m.ship.untouchable_ticks > 0) --m.ship.untouchable_ticks;
   m.blast = kBlastNone;
   m.blastId = kNobody;
@@ -65,7 +65,7 @@ uint32_t enemiesOf(const Totals& totals) {
 }
 
 Ending endOf(World& world) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   if (m.frameTime_us > world.rules.budget.limit_us) return Ending::frameRate;
   if (world.mode == Mode::deadline && m.clock_ticks-- == 0) {
     m.clock_ticks = 0;
@@ -86,7 +86,7 @@ void moveAxis(float& place, float& previous, float& velocity, float wish, float 
 }
 
 void flyShip(World& world) {
-  Ship& ship = world.master.ship;
+  Ship& ship = world.globals.ship;
   float x = float(world.input.move_x) / 32767.0f, y = float(world.input.move_y) / 32767.0f;
   const float l = std::sqrt(x * x + y * y);
   if (l > 1.0f) {
@@ -102,7 +102,7 @@ uint32_t order(World& world, Command command, uint32_t room) {
   uint32_t before = 0;
   for (const Command& c : world.commands) before += c.count;
   const uint32_t fits = world.commands.size() < kMaxCommands ? std::min(command.count, room) : 0;
-  world.master.refused += command.count - fits;
+  world.globals.refused += command.count - fits;
   if (fits == 0) return 0;
   command.count = fits;
   command.firstBirth = before;
@@ -111,13 +111,13 @@ uint32_t order(World& world, Command command, uint32_t room) {
 }
 
 void fireShots(World& world, const Totals& last) {
-  Ship& ship = world.master.ship;
+  Ship& ship = world.globals.ship;
   if (ship.fire_ticks > 0) --ship.fire_ticks;
   if ((world.input.buttons & kButtonFire) == 0 || ship.fire_ticks > 0) return;
   const Rules::Shot& shot = world.rules.shot;
   ShotLevel level = shot.levels[0];
   for (uint32_t i = 0; i < shot.levelCount; ++i) {
-    if (world.master.multiplierTenths >= shot.levels[i].fromTenths) level = shot.levels[i];
+    if (world.globals.multiplierTenths >= shot.levels[i].fromTenths) level = shot.levels[i];
   }
   ship.fire_ticks = level.every_ticks;
   Command salvo;
@@ -133,7 +133,7 @@ void fireShots(World& world, const Totals& last) {
 }
 
 void growFlush(World& world) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   const Rules::Flush& f = world.rules.flush;
   if (m.flushRadius_m > 0.0f) m.flushRadius_m += f.speed_mps * kTick_s;
   if (m.flushRadius_m > f.reach_m) m.flushRadius_m = 0.0f;
@@ -147,7 +147,7 @@ void growFlush(World& world) {
 }
 
 void bringGroup(World& world, uint32_t type, uint32_t count, Pattern pattern, uint32_t& room) {
-  const Master& m = world.master;
+  const GameGlobals& m = world.globals;
   Command c;
   c.type = type;
   c.count = count;
@@ -160,7 +160,7 @@ void bringGroup(World& world, uint32_t type, uint32_t count, Pattern pattern, ui
 }
 
 void bringEndless(World& world, uint32_t& room) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   const Rules::Endless& e = world.rules.endless;
   ++m.endless;
   m.endlessPoints = std::min(m.endlessPoints * e.growth, 1.0e6f);
@@ -183,7 +183,7 @@ uint32_t roomFor(const World& world, const Totals& last) {
 
 // All in the first tick, each type by its share of points over its price; what is left over is of the first.
 void bringSwarm(World& world, const Totals& last) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   const Rules& r = world.rules;
   if (m.tick > 1) {
     const uint32_t alive = enemiesOf(last) - last.dying;
@@ -208,7 +208,7 @@ void bringSwarm(World& world, const Totals& last) {
 
 // The press of a button brings what its other bits say.
 void bringAsked(World& world, const Totals& last) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   const auto goesDown = [&](uint32_t button) {
     return (world.input.buttons & button) != 0 && (m.input.buttons & button) == 0;
   };
@@ -221,7 +221,7 @@ void bringAsked(World& world, const Totals& last) {
 }
 
 void bringWaves(World& world, const Totals& last) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   const Rules& r = world.rules;
   const uint32_t rate = world.mode == Mode::deadline ? r.deadline.waveRate : 1;
   uint32_t room = roomFor(world, last);
@@ -248,7 +248,7 @@ void bringWaves(World& world, const Totals& last) {
 }  // namespace
 
 void logic(World& world) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   world.commands.clear();
   if (m.over) return;
   ++m.tick;

@@ -21,16 +21,16 @@ struct Table {
 };
 
 struct Thrower {
-  const Master& master;
+  const GameGlobals& globals;
   std::vector<Particle> all;
 
   void fan(uint32_t source, float x, float y, float middle, const Table& t) {
     for (uint32_t k = 0; k < t.count; ++k) {
-      const Uint4 dice = cpu::philox(master.seed, {master.tick, source, kPurpose, k});
+      const Uint4 dice = cpu::philox(globals.seed, {globals.tick, source, kPurpose, k});
       const float share = (float(k) + cpu::unitFloat(dice.x)) / float(t.count) - 0.5f;
       const float angle = middle + share * t.spread;
       const float speed = t.slow + (t.fast - t.slow) * cpu::unitFloat(dice.y);
-      all.push_back({x, y, cpu::cosine(angle) * speed, cpu::sine(angle) * speed, master.tick,
+      all.push_back({x, y, cpu::cosine(angle) * speed, cpu::sine(angle) * speed, globals.tick,
                      t.shortest + dice.z % (t.longest - t.shortest + 1), t.colour,
                      t.size * (0.7f + 0.6f * cpu::unitFloat(dice.w))});
     }
@@ -40,10 +40,10 @@ struct Thrower {
 }  // namespace
 
 std::vector<Particle> thrown(const World& world, const std::vector<Happened>& happened, const TickScratch& scratch) {
-  const Ship& ship = world.master.ship;
+  const Ship& ship = world.globals.ship;
   const uint32_t n = world.limits.capacity;
-  Thrower thrower{world.master, {}};
-  if (!world.master.over) {
+  Thrower thrower{world.globals, {}};
+  if (!world.globals.over) {
     for (const Happened& h : happened) {
       if (h.what == Happened::death) {
         const EnemyRules& rules = world.rules.enemies[h.type];
@@ -66,7 +66,7 @@ std::vector<Particle> thrown(const World& world, const std::vector<Happened>& ha
   if (scratch.contactSounds) {
     thrower.fan(n + 1, ship.x, ship.y, 0.0f, {96, kTurn, 6.0f, 40.0f, 18, 50, 0.09f, 0xFF4A5E});
   }
-  if (world.master.over) return thrower.all;
+  if (world.globals.over) return thrower.all;
   if (scratch.flushSounds) {
     thrower.fan(n + 2, ship.x, ship.y, 0.0f, {128, kTurn, 30.0f, 70.0f, 24, 44, 0.08f, 0x35E0FF});
   }

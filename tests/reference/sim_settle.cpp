@@ -6,8 +6,8 @@
 namespace gw::naive {
 
 void settle(World& world) {
-  Totals& t = world.master.totals;
-  const Ship& ship = world.master.ship;
+  Totals& t = world.globals.totals;
+  const Ship& ship = world.globals.ship;
   for (const Entity& e : world.entities) {
     if (e.type == kTypeBit && e.taken) ++t.bitsTaken;
     if (e.gone) continue;

@@ -63,7 +63,7 @@ EntityRecord blank(const World& world, uint32_t type, Float2 place, Float2 veloc
   e.velocity_y = velocity.y;
   e.direction_x = direction.x;
   e.direction_y = direction.y;
-  e.birthTick = world.master.tick;
+  e.birthTick = world.globals.tick;
   e.target = kNobody;
   return e;
 }
@@ -84,7 +84,7 @@ EntityRecord shot(const World& world, const Command& c, uint32_t k) {
 
 EntityRecord enemy(const World& world, const Command& c, uint32_t index, uint32_t k) {
   const Float2 place = birthPlace(world, c, index, k);
-  const float x = world.master.ship.x - place.x, y = world.master.ship.y - place.y, far = std::sqrt(x * x + y * y);
+  const float x = world.globals.ship.x - place.x, y = world.globals.ship.y - place.y, far = std::sqrt(x * x + y * y);
   EntityRecord e = blank(world, c.type, place, {0, 0}, {x / far, y / far});
   e.energy = world.rules.enemies[c.type].energy;
   e.mass = world.rules.enemies[c.type].mass;
@@ -92,7 +92,7 @@ EntityRecord enemy(const World& world, const Command& c, uint32_t index, uint32_
 }
 
 EntityRecord bit(const World& world, const Entity& parent, uint32_t k) {
-  const auto dice = cpu::philox(world.master.seed, {world.master.tick, k, kScatterPurpose, 0});
+  const auto dice = cpu::philox(world.globals.seed, {world.globals.tick, k, kScatterPurpose, 0});
   const float angle = cpu::unitFloat(dice.x) * kFullTurn, speed = 2.0f + 4.0f * cpu::unitFloat(dice.y);
   const float cos = cpu::cosine(angle), sin = cpu::sine(angle);
   EntityRecord e = blank(world, kTypeBit, {parent.x, parent.y}, {cos * speed, sin * speed}, {cos, sin});
@@ -109,7 +109,7 @@ Float2 birthPlace(const World& world, const Command& c, uint32_t index, uint32_t
   const auto near = [&](Float2 p) { return std::sqrt((p.x - c.x) * (p.x - c.x) + (p.y - c.y) * (p.y - c.y)) < clear; };
   Float2 place{};
   for (uint32_t attempt = 0; attempt < (c.pattern == Pattern::rain ? 16u : 1u); ++attempt) {
-    const auto dice = cpu::philox(world.master.seed, {world.master.tick, index + 65536 * attempt, kPlacePurpose, k});
+    const auto dice = cpu::philox(world.globals.seed, {world.globals.tick, index + 65536 * attempt, kPlacePurpose, k});
     const Float2 wish = wishedPlace(world, c, k, cpu::unitFloat(dice.x), cpu::unitFloat(dice.y));
     place = {mirroredIn(wish.x, width), mirroredIn(wish.y, height)};
     if (!near(place)) return place;
@@ -145,7 +145,7 @@ void spawn(World& world) {
       if (bits + born < kBitCapacity) {
         births.push_back(bit(world, e, born++));
       } else {
-        ++world.master.refused;
+        ++world.globals.refused;
       }
     }
   }

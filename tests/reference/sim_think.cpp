@@ -72,7 +72,7 @@ Sight look(const World& world, const std::vector<Entity>& all, const Entity& e) 
 }
 
 Vector drifted(const World& world, const Entity& e) {
-  const uint32_t dice = cpu::philox(world.master.seed, {world.master.tick, e.id, kWanderPurpose, 0}).x;
+  const uint32_t dice = cpu::philox(world.globals.seed, {world.globals.tick, e.id, kWanderPurpose, 0}).x;
   const float drift = (2.0f * cpu::unitFloat(dice) - 1.0f) * world.rules.steering.wanderDrift_rad;
   const float s = cpu::sine(drift), c = cpu::cosine(drift);
   return unit(e.direction_x * c - e.direction_y * s, e.direction_x * s + e.direction_y * c);
@@ -81,7 +81,7 @@ Vector drifted(const World& world, const Entity& e) {
 // Away from the ship, along walls, out of corners.
 Vector flight(const World& world, const Entity& e, Vector toShip) {
   const float wall = world.rules.steering.escapeWall_m, width = world.limits.width_m, height = world.limits.height_m;
-  const Vector away = unit(-(world.master.ship.x - e.x), -(world.master.ship.y - e.y));
+  const Vector away = unit(-(world.globals.ship.x - e.x), -(world.globals.ship.y - e.y));
   Vector way = away;
   if (way.x < 0.0f ? e.x < wall : e.x > width - wall) way.x = 0.0f;
   if (way.y < 0.0f ? e.y < wall : e.y > height - wall) way.y = 0.0f;
@@ -99,10 +99,10 @@ Vector flight(const World& world, const Entity& e, Vector toShip) {
 void steer(const World& world, Entity& e, const Sight& sight) {
   const Rules::Steering& r = world.rules.steering;
   const EnemyRules& type = world.rulesOf(e);
-  const float ship_x = world.master.ship.x - e.x, ship_y = world.master.ship.y - e.y;
+  const float ship_x = world.globals.ship.x - e.x, ship_y = world.globals.ship.y - e.y;
   const Vector toShip = unit(ship_x, ship_y);
   Vector way = toShip;
-  float speed = type.speed_mps * world.master.pace, response = r.response;
+  float speed = type.speed_mps * world.globals.pace, response = r.response;
   bool keepsWay = true;  // its heading becomes its way
   Vector heading{e.direction_x, e.direction_y};
   switch (Mind(e.state)) {
@@ -124,11 +124,11 @@ void steer(const World& world, Entity& e, const Sight& sight) {
       break;
     case Mind::escaping:
       way = flight(world, e, toShip);
-      speed = type.speed_mps * world.master.pace * r.escapeSpeed;
+      speed = type.speed_mps * world.globals.pace * r.escapeSpeed;
       e.energy = std::min(e.energy + r.recover_per_s * kTick_s, type.energy);
       break;
     case Mind::grouping:
-      speed = type.speed_mps * world.master.pace * r.wanderSpeed;
+      speed = type.speed_mps * world.globals.pace * r.wanderSpeed;
       way = heading;
       if (sight.kin == 0) break;  // until it asks again it flies on
       heading = drifted(world, e);
@@ -138,7 +138,7 @@ void steer(const World& world, Entity& e, const Sight& sight) {
     case Mind::wandering:
       heading = drifted(world, e);
       way = unit(heading.x + r.wanderToShip * toShip.x, heading.y + r.wanderToShip * toShip.y);
-      speed = type.speed_mps * world.master.pace * r.wanderSpeed;
+      speed = type.speed_mps * world.globals.pace * r.wanderSpeed;
       keepsWay = false;
       break;
     case Mind::checkingEnergy:
@@ -164,7 +164,7 @@ void beginToAvoid(const World& world, Entity& e, const Entity& shot) {
 
 void thinkEnemy(const World& world, const std::vector<Entity>& all, Entity& e) {
   if (world.isAnnounced(e)) return;
-  const float x = world.master.ship.x - e.x, y = world.master.ship.y - e.y, distance = std::sqrt(x * x + y * y);
+  const float x = world.globals.ship.x - e.x, y = world.globals.ship.y - e.y, distance = std::sqrt(x * x + y * y);
   const EnemyRules& type = world.rulesOf(e);
   const Rules::Steering& r = world.rules.steering;
   const Mind before = Mind(e.state);
@@ -178,10 +178,10 @@ void thinkEnemy(const World& world, const std::vector<Entity>& all, Entity& e) {
   facts.recovered = e.energy >= type.energy * r.recoveredAt;
   facts.avoided = e.timer == 0;
   facts.shotComing = sight.shot && e.cooldown == 0;
-  facts.seesShip = world.master.allAttack || distance <= type.sight_m;
-  facts.lostShip = !world.master.allAttack && distance > type.sight_m * r.sightLost;
+  facts.seesShip = world.globals.allAttack || distance <= type.sight_m;
+  facts.lostShip = !world.globals.allAttack && distance > type.sight_m * r.sightLost;
   // Company is asked for on every fourth tick, by turns; who attacks and sees the ship does not ask.
-  const bool turn = (world.master.tick + e.id) % 4 == 0, attacks = before == Mind::attacking;
+  const bool turn = (world.globals.tick + e.id) % 4 == 0, attacks = before == Mind::attacking;
   const bool charges = attacks && !facts.lostShip;
   const bool asks = before == Mind::wandering || before == Mind::grouping ? turn : attacks && !charges;
   facts.company = asks && sight.kin > 0;
@@ -200,7 +200,7 @@ void thinkEnemy(const World& world, const std::vector<Entity>& all, Entity& e) {
 
 void thinkBit(const World& world, Entity& e) {
   const Rules::Bit& bit = world.rules.bit;
-  const float x = world.master.ship.x - e.x, y = world.master.ship.y - e.y, distance = std::sqrt(x * x + y * y);
+  const float x = world.globals.ship.x - e.x, y = world.globals.ship.y - e.y, distance = std::sqrt(x * x + y * y);
   if (distance <= bit.take_m) {
     e.taken = true;
   } else if (distance <= bit.attract_m) {

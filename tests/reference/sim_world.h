@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "game/sim/master.h"
+#include "game/sim/game_globals.h"
 #include "game/sim/simulation.h"
 #include "gpu/math/plain_types.h"
 
@@ -22,7 +22,7 @@ struct World {
   Rules rules{};
   Limits limits{};
   Mode mode = Mode::arcade;
-  Master master;
+  GameGlobals globals;
   std::vector<Entity> entities;  // by ascending id
 
   // What a tick's logic asks for, in order.
@@ -36,7 +36,7 @@ struct World {
 
   bool isEnemy(const Entity& e) const { return e.type < kMaxEnemyTypes; }
   const EnemyRules& rulesOf(const Entity& e) const { return rules.enemies[e.type]; }
-  bool isAnnounced(const Entity& e) const { return master.tick - e.birthTick < rules.world.announced_ticks; }
+  bool isAnnounced(const Entity& e) const { return globals.tick - e.birthTick < rules.world.announced_ticks; }
 };
 
 void logic(World& world);  // reads world.input

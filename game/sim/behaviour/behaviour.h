@@ -23,7 +23,7 @@ GW_FN bool isOneOf(Machine machine, uint32_t machines) {
   return (machines >> uint32_t(machine) & 1u) != 0;
 }
 
-// How often an entity asks for company, each in its turn: so often its states can change by it.
+// How often an entity gathers its own kind, staggered by id: its states can change because of it that often.
 constexpr uint32_t kAskEvery_ticks = 4;
 
 // What a think kernel knows of its entity.
@@ -38,8 +38,8 @@ struct Self {
   float speed_mps = 0.0f;       // of its type, at the pace of the present wave
 };
 
-// Its own kind within its vision, itself left out. Sums do not mind the order in which they were visited.
-struct Company {
+// Its own kind within its vision, itself left out. The sums do not depend on the order of visits.
+struct Flock {
   uint32_t count = 0;
   FixedSum2 offset;   // to each of them, m
   FixedSum2 heading;  // unit vectors
@@ -50,8 +50,8 @@ struct Company {
     heading.add(heading_x, heading_y, kSteerScale);
   }
   // Unit vectors towards their middle and along their heading; zero when there is none.
-  GW_MEMBER Float2 middle() const { return unit(offset); }
-  GW_MEMBER Float2 along() const { return unit(heading); }
+  GW_MEMBER Float2 towardsCentre() const { return unit(offset); }
+  GW_MEMBER Float2 meanHeading() const { return unit(heading); }
 
  private:
   GW_MEMBER static Float2 unit(const FixedSum2& sum) {
@@ -60,17 +60,17 @@ struct Company {
   }
 };
 
-struct Wish {
+struct DesiredMotion {
   float velocity_x, velocity_y;    // m/s
   float direction_x, direction_y;  // the heading it keeps, unit length
 };
 
-GW_FN Wish along(Float2 way, float speed_mps) {
-  return {way.x * speed_mps, way.y * speed_mps, way.x, way.y};
+GW_FN DesiredMotion along(Float2 direction, float speed_mps) {
+  return {direction.x * speed_mps, direction.y * speed_mps, direction.x, direction.y};
 }
 
 // The moment in which it checks its energy.
-GW_FN Wish coast(const Self& self) {
+GW_FN DesiredMotion coast(const Self& self) {
   return {self.velocity_x, self.velocity_y, self.direction_x, self.direction_y};
 }
 
@@ -82,19 +82,19 @@ GW_FN Float2 drifted(const Self& self, float most_rad, uint64_t seed, uint32_t t
                     self.direction_x * turn.sine + self.direction_y * turn.cosine);
 }
 
-GW_FN Wish wander(const Self& self, const Rules::Steering& steering, uint64_t seed, uint32_t tick) {
+GW_FN DesiredMotion wander(const Self& self, const Rules::Steering& steering, uint64_t seed, uint32_t tick) {
   const Float2 heading = drifted(self, steering.wanderDrift_rad, seed, tick);
   const Float2 toShip = normalised(self.ship_x, self.ship_y);
-  const Float2 way =
+  const Float2 direction =
       normalised(heading.x + steering.wanderToShip * toShip.x, heading.y + steering.wanderToShip * toShip.y);
   const float speed = self.speed_mps * steering.wanderSpeed;
-  return {way.x * speed, way.y * speed, heading.x, heading.y};
+  return {direction.x * speed, direction.y * speed, heading.x, heading.y};
 }
 
 // The force that closes `response` of the gap to the wished velocity in one tick: F = m a.
-GW_FN Float2 steeringForce(const Self& self, const Wish& wish, float response) {
+GW_FN Float2 steeringForce(const Self& self, const DesiredMotion& desired, float response) {
   const float perTick = self.mass * response * float(kTicksPerSecond);
-  return {(wish.velocity_x - self.velocity_x) * perTick, (wish.velocity_y - self.velocity_y) * perTick};
+  return {(desired.velocity_x - self.velocity_x) * perTick, (desired.velocity_y - self.velocity_y) * perTick};
 }
 
 }  // namespace gw::GW_DEVICE

@@ -1,5 +1,5 @@
 // Group: gathers with its own kind and flies as they fly (cohesion and alignment: Reynolds 1987; separation
-// is the contact response of collide), attacks along with them, and steps out of the way of bullets. The
+// is the contact response of collide), attacks along with them, and steps out of the path of bullets. The
 // tricky ones group and avoid in the same way.
 #pragma once
 
@@ -9,38 +9,39 @@ namespace gw::GW_DEVICE {
 
 // Wandering, drawn to the middle of its kind and turned along their heading, which it takes over: so that a
 // group comes to agree on one.
-GW_FN Wish flyInGroup(const Self& self, const Company& company, const Rules::Steering& steering, uint64_t seed,
-                      uint32_t tick) {
+GW_FN DesiredMotion flyInFlock(const Self& self, const Flock& flock, const Rules::Steering& steering, uint64_t seed,
+                               uint32_t tick) {
   const Float2 heading = drifted(self, steering.wanderDrift_rad, seed, tick);
-  const Float2 toShip = normalised(self.ship_x, self.ship_y), middle = company.middle(), theirs = company.along();
-  const Float2 way = normalised(
-      heading.x + steering.wanderToShip * toShip.x + steering.cohesion * middle.x + steering.alignment * theirs.x,
-      heading.y + steering.wanderToShip * toShip.y + steering.cohesion * middle.y + steering.alignment * theirs.y);
-  return along(way, self.speed_mps * steering.wanderSpeed);
+  const Float2 toShip = normalised(self.ship_x, self.ship_y), middle = flock.towardsCentre(),
+               meanHeading = flock.meanHeading();
+  const Float2 direction = normalised(
+      heading.x + steering.wanderToShip * toShip.x + steering.cohesion * middle.x + steering.alignment * meanHeading.x,
+      heading.y + steering.wanderToShip * toShip.y + steering.cohesion * middle.y + steering.alignment * meanHeading.y);
+  return along(direction, self.speed_mps * steering.wanderSpeed);
 }
 
-// Until it asks again.
-GW_FN Wish flyOn(const Self& self, const Rules::Steering& steering) {
+// Until it gathers its own kind again.
+GW_FN DesiredMotion keepHeading(const Self& self, const Rules::Steering& steering) {
   return along({self.direction_x, self.direction_y}, self.speed_mps * steering.wanderSpeed);
 }
 
-GW_FN Wish groupAttack(const Self& self, const Company& company, const Rules::Steering& steering) {
-  const Float2 toShip = normalised(self.ship_x, self.ship_y), theirs = company.along();
-  const Float2 way =
-      normalised(toShip.x + steering.attackAlignment * theirs.x, toShip.y + steering.attackAlignment * theirs.y);
-  return along(way, self.speed_mps);
+GW_FN DesiredMotion groupAttack(const Self& self, const Flock& flock, const Rules::Steering& steering) {
+  const Float2 toShip = normalised(self.ship_x, self.ship_y), meanHeading = flock.meanHeading();
+  const Float2 direction = normalised(toShip.x + steering.attackAlignment * meanHeading.x,
+                                      toShip.y + steering.attackAlignment * meanHeading.y);
+  return along(direction, self.speed_mps);
 }
 
-// Across the path of a shot that flies along `flight` and lies at `offset` (from the shot to the entity):
+// Across the path of a shot that flies along `shotDirection` and lies at `offset` (from the shot to the entity):
 // out on the side where it already is.
-GW_FN Float2 awayFromPath(Float2 flight, Float2 offset, uint32_t id) {
-  const float across = flight.x * offset.y - flight.y * offset.x;  // > 0: it is to the left of the path
+GW_FN Float2 awayFromPath(Float2 shotDirection, Float2 offset, uint32_t id) {
+  const float across = shotDirection.x * offset.y - shotDirection.y * offset.x;  // > 0: it is to the left of the path
   const bool left = across > 0.0f || (across == 0.0f && (id & 1u) != 0);
-  return left ? Float2{-flight.y, flight.x} : Float2{flight.y, -flight.x};
+  return left ? Float2{-shotDirection.y, shotDirection.x} : Float2{shotDirection.y, -shotDirection.x};
 }
 
-// The way was chosen when it began to avoid.
-GW_FN Wish avoid(const Self& self, const Rules::Steering& steering) {
+// Its direction was chosen when it began to avoid.
+GW_FN DesiredMotion avoid(const Self& self, const Rules::Steering& steering) {
   return along({self.direction_x, self.direction_y}, steering.avoid_mps);
 }
 

@@ -6,7 +6,7 @@
 
 namespace gw::GW_DEVICE {
 
-GW_FN Wish kamikazeAttack(const Self& self, const EnemyRules& rules, const Rules::Steering& steering) {
+GW_FN DesiredMotion kamikazeAttack(const Self& self, const EnemyRules& rules, const Rules::Steering& steering) {
   const float speed = self.speed_mps * (self.energy < rules.energy ? steering.damagedSpeed : 1.0f);
   return along(normalised(self.ship_x, self.ship_y), speed);
 }

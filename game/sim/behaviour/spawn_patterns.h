@@ -9,7 +9,7 @@ namespace gw::GW_DEVICE {
 
 inline constexpr float kWallMargin_m = 1.5f;  // births keep this far from the walls
 
-inline constexpr uint32_t kRainTries = 16;  // a place clear of the ship is found with odds of 1 - 1e-13 in play
+inline constexpr uint32_t kRainTries = 16;  // a position clear of the ship is found with odds of 1 - 1e-13 in play
 
 // Folds a coordinate that lies past a wall back inside.
 GW_FN float folded(float value, float size) {
@@ -19,12 +19,12 @@ GW_FN float folded(float value, float size) {
   return clamp(value, low, high);
 }
 
-// Moves a place that is nearer to the ship than the clearance: first through the middle of the world (a
-// place that was folded at a wall lands far away), then straight away from the ship.
-GW_FN Float2 cleared(Float2 place, float ship_x, float ship_y, const Limits& limits, float clearance_m) {
-  if (length(place.x - ship_x, place.y - ship_y) >= clearance_m) return place;
-  place = {limits.width_m - place.x, limits.height_m - place.y};
-  if (length(place.x - ship_x, place.y - ship_y) >= clearance_m) return place;
+// Moves a position that is nearer to the ship than the clearance: first through the middle of the world (a
+// position that was folded at a wall lands far away), then straight away from the ship.
+GW_FN Float2 cleared(Float2 position, float ship_x, float ship_y, const Limits& limits, float clearance_m) {
+  if (length(position.x - ship_x, position.y - ship_y) >= clearance_m) return position;
+  position = {limits.width_m - position.x, limits.height_m - position.y};
+  if (length(position.x - ship_x, position.y - ship_y) >= clearance_m) return position;
   // The ship is near the middle of the world: towards the farther walls there is room.
   const float away_x = 2.0f * ship_x > limits.width_m ? -clearance_m : clearance_m;
   const float away_y = 2.0f * ship_y > limits.height_m ? -clearance_m : clearance_m;
@@ -32,7 +32,7 @@ GW_FN Float2 cleared(Float2 place, float ship_x, float ship_y, const Limits& lim
 }
 
 // The unbounded shapes, around the ship at (c.x, c.y). u and w are uniform in [0, 1).
-GW_FN Float2 patternPlace(const Command& c, uint32_t k, float u, float w, const Limits& limits) {
+GW_FN Float2 patternPosition(const Command& c, uint32_t k, float u, float w, const Limits& limits) {
   const float share = (float(k) + 0.5f) / float(c.count);
   const SineCosine along = sineCosine(c.angle_rad);
   switch (c.pattern) {
@@ -77,8 +77,8 @@ GW_FN Float2 patternPlace(const Command& c, uint32_t k, float u, float w, const 
 }
 
 // Inside the world, clear of the ship.
-GW_FN Float2 birthPlace(const Command& c, uint32_t k, uint64_t seed, uint32_t tick, uint32_t command,
-                        const Tables& tables) {
+GW_FN Float2 birthPosition(const Command& c, uint32_t k, uint64_t seed, uint32_t tick, uint32_t command,
+                           const Tables& tables) {
   const float clearance_m =
       tables.mode == Mode::swarm ? tables.rules.swarm.clearance_m : tables.rules.world.spawnClearance_m;
   Float2 inside{};
@@ -86,7 +86,7 @@ GW_FN Float2 birthPlace(const Command& c, uint32_t k, uint64_t seed, uint32_t ti
   const uint32_t tries = c.pattern == Pattern::rain ? kRainTries : 1;
   for (uint32_t attempt = 0; attempt < tries; ++attempt) {
     const Uint4 dice = philox(seed, {tick, command | attempt << 16, kPurposePlace, k});
-    const Float2 wished = patternPlace(c, k, unitFloat(dice.x), unitFloat(dice.y), tables.limits);
+    const Float2 wished = patternPosition(c, k, unitFloat(dice.x), unitFloat(dice.y), tables.limits);
     inside = {folded(wished.x, tables.limits.width_m), folded(wished.y, tables.limits.height_m)};
     if (length(inside.x - c.x, inside.y - c.y) >= clearance_m) return inside;
   }

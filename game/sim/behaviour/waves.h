@@ -1,4 +1,4 @@
-// Who appears when, as the master thread orders it: the timetable and the endless waves after it (arcade,
+// Who appears when, as logic orders it: the timetable and the endless waves after it (arcade,
 // deadline), all at once (swarm), or what the player asks for (practice).
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace gw::GW_DEVICE {
 
 // Appends the command, cut to what fits; the rest is counted as refused. Returns how many were accepted.
-GW_FN uint32_t order(Master& m, TickScratch& s, Command command, uint32_t room) {
+GW_FN uint32_t queueCommand(GameGlobals& m, TickScratch& s, Command command, uint32_t room) {
   const uint32_t accepted = s.commandCount < kMaxCommands ? smaller(command.count, room) : 0;
   m.refused += command.count - accepted;
   if (accepted == 0) return 0;
@@ -21,7 +21,7 @@ GW_FN uint32_t order(Master& m, TickScratch& s, Command command, uint32_t room) 
 }
 
 struct Waves {
-  Master& m;
+  GameGlobals& m;
   TickScratch& s;
   const Tables& tables;
   const Totals& last;
@@ -48,7 +48,7 @@ struct Waves {
     const Rules& r = tables.rules;
     const uint32_t next_ticks =
         m.wave < r.waveCount ? r.waves[m.wave].at_ticks : r.endless.from_ticks + m.endless * r.endless.every_ticks;
-    // Nobody waits: a field nearly empty brings the next wave early, and pays for the time saved.
+    // A world that is nearly empty brings the next wave early, and pays for the time saved.
     const bool quiet = m.tick > 1 && last.inView < r.idle.fewerThan && last.coming < r.idle.fewerThan;
     m.idle_ticks = quiet ? m.idle_ticks + 1 : 0;
     if (m.idle_ticks >= r.idle.wait_ticks && next_ticks > m.waveClock_ticks) {
@@ -147,7 +147,7 @@ struct Waves {
     born.x = m.ship.x;
     born.y = m.ship.y;
     born.angle_rad = unitFloat(philox(m.seed, {m.tick, s.commandCount, kPurposeCommand, 0}).x) * kTwoPi;
-    room -= order(m, s, born, room);
+    room -= queueCommand(m, s, born, room);
   }
 };
 

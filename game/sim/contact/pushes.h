@@ -1,4 +1,4 @@
-// What pushes one body, summed so that neither the order nor the device is felt.
+// What pushes one body, summed so that neither the order nor the device matters.
 #pragma once
 
 #include "game/sim/sum_scales.h"

@@ -1,5 +1,5 @@
-// When a moving circle meets a body: the earliest time in 0..1 of one tick. Everything is relative to the
-// body's middle, so a moving body is a still one seen from itself.
+// When a moving circle touches a body: the earliest time in 0..1 of one tick. Everything is relative to the
+// body's centre, so that a moving body stands still in its own frame.
 #pragma once
 
 #include <cmath>
@@ -9,34 +9,34 @@
 
 namespace gw::GW_DEVICE {
 
-inline constexpr float kNoMeeting = 2.0f;  // any time past the end of the tick
+inline constexpr float kNoContact = 2.0f;  // any time past the end of the tick
 
 // A point at (x, y) that moves by (dx, dy), against a circle of this radius round the origin.
 GW_FN float sweepCircle(float x, float y, float dx, float dy, float radius) {
   const float outside = x * x + y * y - radius * radius;
   if (outside <= 0.0f) return 0.0f;
   const float a = dx * dx + dy * dy, b = x * dx + y * dy;
-  if (!(a > 0.0f) || b >= 0.0f) return kNoMeeting;  // still, or moving away
+  if (!(a > 0.0f) || b >= 0.0f) return kNoContact;  // still, or moving away
   const float discriminant = b * b - a * outside;
-  if (discriminant < 0.0f) return kNoMeeting;
+  if (discriminant < 0.0f) return kNoContact;
   const float t = (-b - sqrtf(discriminant)) / a;
-  return t <= 1.0f ? (t > 0.0f ? t : 0.0f) : kNoMeeting;
+  return t <= 1.0f ? (t > 0.0f ? t : 0.0f) : kNoContact;
 }
 
 // The same against an axis-aligned rectangle (slabs: Kay and Kajiya 1986).
 GW_FN float sweepBox(float x, float y, float dx, float dy, float halfWidth, float halfHeight) {
   float enter = 0.0f, leave = 1.0f;
-  const float place[2] = {x, y}, step[2] = {dx, dy}, half[2] = {halfWidth, halfHeight};
+  const float position[2] = {x, y}, step[2] = {dx, dy}, half[2] = {halfWidth, halfHeight};
   for (int axis = 0; axis < 2; ++axis) {
     if (step[axis] == 0.0f) {
-      if (magnitude(place[axis]) > half[axis]) return kNoMeeting;
+      if (magnitude(position[axis]) > half[axis]) return kNoContact;
       continue;
     }
-    const float a = (-half[axis] - place[axis]) / step[axis], b = (half[axis] - place[axis]) / step[axis];
+    const float a = (-half[axis] - position[axis]) / step[axis], b = (half[axis] - position[axis]) / step[axis];
     enter = larger(enter, smaller(a, b));
     leave = smaller(leave, larger(a, b));
   }
-  return enter <= leave ? enter : kNoMeeting;
+  return enter <= leave ? enter : kNoContact;
 }
 
 // A circle against a body: the point against the body grown by the circle's radius. A grown rectangle is

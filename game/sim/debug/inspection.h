@@ -1,5 +1,5 @@
 // A running game laid open: every value by name after every stage of a tick, and the raw bytes of its memory. For the
-// desync finder, and for tests of whoever checks games. Slow: nothing that plays asks for it.
+// desync finder and for tests. Slow: play never uses it.
 #pragma once
 
 #include <cstdint>
@@ -26,16 +26,16 @@ struct Column {
 struct StageState {
   std::string stage;
   std::vector<Column>
-      entities;                 // by id, 0 where nobody lives; [0] is the type (kTypeNone there), [1] and [2] the place
+      entities;  // by id, 0 where no entity lives; [0] is the type (kTypeNone there), [1] and [2] the place
   std::vector<Column> globals;  // one value each
 };
 
 // What comes of damage to a byte between two ticks.
 enum class Standing : uint32_t {
   hashed,     // the next hash tells
-  ofLiving,   // so it does where an entity lives; elsewhere birth writes the byte before anybody reads it
-  rewritten,  // the next tick writes it before anybody reads it
-  unread,     // nobody reads it
+  ofLiving,   // so it does where an entity lives; elsewhere birth writes the byte before it is read
+  rewritten,  // the next tick writes it before it is read
+  unread,     // never read
   costOnly,   // what is found is the same, at more or less work
 };
 

@@ -25,10 +25,10 @@ constexpr size_t bytesOf(const Part (&parts)[kCount]) {
 }
 
 constexpr const char* kOtherSide = "the next tick writes it before it reads it: the two sides take turns";
-constexpr const char* kZero = "always 0, and nobody reads it";
-constexpr const char* kWithinTick = "what the passes of one tick tell each other; each tick begins it anew";
+constexpr const char* kZero = "always 0 and never read";
+constexpr const char* kWithinTick = "what the passes of one tick tell each other; each tick begins by clearing it";
 
-constexpr Part kMaster[] = {{"all", sizeof(Master)}};
+constexpr Part kGlobals[] = {{"all", sizeof(GameGlobals)}};
 constexpr Part kTables[] = {{"all", sizeof(Tables)}};
 constexpr Part kScratch[] = {
     {"before the hashes", offsetof(TickScratch, fieldHashes), Standing::rewritten, kWithinTick},
@@ -36,7 +36,7 @@ constexpr Part kScratch[] = {
     {"after the hashes",
      uint32_t(sizeof(TickScratch) - offsetof(TickScratch, fieldHashes) - sizeof(TickScratch::fieldHashes)),
      Standing::rewritten, kWithinTick}};
-constexpr Part kReport[] = {{"all", sizeof(TickReport), Standing::rewritten, "made anew in each tick"}};
+constexpr Part kReport[] = {{"all", sizeof(TickReport), Standing::rewritten, "rewritten in each tick"}};
 constexpr Part kCells[] = {{"x", 4}, {"y", 4}, {"id", 4}, {"type", 4}};
 constexpr Part kCellsBefore[] = {
     {"all", sizeof(Cell), Standing::rewritten,
@@ -86,7 +86,7 @@ class Listing {
 };
 
 #define GW_FILLS(parts, T) static_assert(bytesOf(parts) == sizeof(T))
-GW_FILLS(kMaster, Master);
+GW_FILLS(kGlobals, GameGlobals);
 GW_FILLS(kTables, Tables);
 GW_FILLS(kScratch, TickScratch);
 GW_FILLS(kReport, TickReport);
@@ -113,7 +113,7 @@ static_assert(sizeof(GameState) == sizeof(Known), "list the new buffer in bytesO
 
 #if GW_ON_CUDA
 namespace {
-void addDerived(Queue&, Listing&) {}  // whose allocations nobody lists
+void addDerived(Queue&, Listing&) {}  // its allocations are not listed
 }  // namespace
 #else
 namespace {
@@ -129,7 +129,7 @@ void addDerived(Queue& queue, Listing& all) {
         [&](const BytesOfBuffer& part) { return part.d_bytes >= d_bytes && part.d_bytes < d_bytes + range.bytes; });
     if (known) continue;
     all.list.push_back({"derived " + std::to_string(++number), "all", Standing::costOnly,
-                        "made anew from the state before it is read, or only chooses how much work is done", d_bytes, 1,
+                        "rebuilt from the state before it is read, or only chooses how much work is done", d_bytes, 1,
                         1, uint32_t(range.bytes)});
   }
 }
@@ -139,7 +139,7 @@ void addDerived(Queue& queue, Listing& all) {
 
 std::vector<BytesOfBuffer> bytesOf(Queue& queue, const GameState& state, const View& v) {
   Listing all;
-  all.add("master", state.master, kMaster);
+  all.add("globals", state.globals, kGlobals);
   all.add("tables", state.tables, kTables);
   all.add("scratch", state.scratch, kScratch);
   all.add("report", state.report, kReport);

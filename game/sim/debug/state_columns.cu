@@ -50,9 +50,9 @@ class Reader {
 
   std::vector<Column> globals() const {
     std::vector<Column> columns;
-    Master master;
-    state_.master.download(&master, 1);
-    addMembers(columns, "", kMasterMembers, &master);
+    GameGlobals globals;
+    state_.globals.download(&globals, 1);
+    addMembers(columns, "", kGlobalsMembers, &globals);
     TickScratch scratch;
     state_.scratch.download(&scratch, 1);
     if (!hasRun("logic")) {  // only the input is this tick's yet

@@ -88,7 +88,7 @@ struct WriteSprites {
     const uint32_t place = v.cellOf[id];
     const Cell cell = v.cells[place];
     const Float4 motion = v.velocityPrevious[id];
-    const uint32_t age = v.master->tick - v.birthTick[id];
+    const uint32_t age = v.globals->tick - v.birthTick[id];
     SpriteVertex out{};
     out.x = cell.x;
     out.y = cell.y;
@@ -124,7 +124,7 @@ struct WriteSprites {
   }
 
   GW_BODY SpriteVertex ship() const {
-    const Master& m = *v.master;
+    const GameGlobals& m = *v.globals;
     SpriteVertex out{};
     out.x = m.ship.x;
     out.y = m.ship.y;

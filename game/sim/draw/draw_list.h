@@ -1,4 +1,4 @@
-// The draw list: what stands in the view, as sprites, in an order that keeps danger on top. Once per frame,
+// The draw list: the entities in the view, as sprites, in an order that keeps threats on top. Once per frame,
 // outside the tick.
 #pragma once
 

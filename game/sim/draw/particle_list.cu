@@ -9,14 +9,14 @@ constexpr float kFadesFrom = 0.5f;  // share of its life after which a particle'
 // The ring as a frame sees it, by age: item 0 is the newest.
 struct Seen {
   ParticleView particles;
-  const Master* master;
+  const GameGlobals* globals;
   DrawView window;
   float sinceTick_ticks;
 
   GW_MEMBER const Particle& at(uint32_t age) const {
     return particles.ring[(*particles.emitted - 1 - age) & (particles.size - 1)];
   }
-  GW_MEMBER float age_ticks(const Particle& p) const { return float(master->tick - p.birthTick) + sinceTick_ticks; }
+  GW_MEMBER float age_ticks(const Particle& p) const { return float(globals->tick - p.birthTick) + sinceTick_ticks; }
 
   GW_MEMBER static Float2 placeAt(const Particle& p, float age_s) {
     const float way_s = (1.0f - exponential(-kParticleDrag_per_s * age_s)) / kParticleDrag_per_s;
@@ -68,7 +68,7 @@ ParticleList::ParticleList(Queue& queue, uint32_t size) : ranks_(queue, size) {}
 
 void ParticleList::run(Queue& queue, const View& view, const ParticleView& particles, const DrawView& window,
                        float sinceTick_ticks, const ParticleTarget& target) {
-  const Seen seen{particles, view.master, window, sinceTick_ticks};
+  const Seen seen{particles, view.globals, window, sinceTick_ticks};
   ranks_.run(queue, FindShown{seen});
   forEach(queue, Count{particles.size}, WriteStreaks{target, ranks_.view(), seen});
 }

@@ -11,7 +11,7 @@ class ParticleList {
   ParticleList(Queue& queue, uint32_t size);
 
   // Writes target.vertices, the newest first, and target.command. When more is in view than the target
-  // holds, the oldest are left out. `sinceTick_ticks` has passed since tick `master->tick` was complete.
+  // holds, the oldest are left out. `sinceTick_ticks` has passed since tick `globals->tick` was complete.
   void run(Queue& queue, const View& view, const ParticleView& particles, const DrawView& window, float sinceTick_ticks,
            const ParticleTarget& target);
 

@@ -53,7 +53,7 @@ GW_FN Burst entityBurst(const View& v, uint32_t id) {
 }
 
 GW_FN Burst shipBurst(const View& v, uint32_t source) {
-  const Ship& ship = v.master->ship;
+  const Ship& ship = v.globals->ship;
   const TickScratch& s = *v.scratch;
   if (source == kShipLost && s.overSounds) {
     return {320, ship.x, ship.y, 0.0f, kTwoPi, 3.0f, 44.0f, 40, 110, 0.10f, 0x8FEBFF};
@@ -61,7 +61,7 @@ GW_FN Burst shipBurst(const View& v, uint32_t source) {
   if (source == kContact && s.contactSounds) {
     return {96, ship.x, ship.y, 0.0f, kTwoPi, 6.0f, 40.0f, 18, 50, 0.09f, 0xFF4A5E};
   }
-  if (v.master->over) return Burst{};
+  if (v.globals->over) return Burst{};
   if (source == kFlush && s.flushSounds) {
     return {128, ship.x, ship.y, 0.0f, kTwoPi, 30.0f, 70.0f, 24, 44, 0.08f, 0x35E0FF};
   }
@@ -75,17 +75,17 @@ GW_FN Burst shipBurst(const View& v, uint32_t source) {
 // A source is an id, or one of the ship's own behind them. Once the game is over events stand as they were.
 GW_FN Burst burstOf(const View& v, uint32_t source) {
   if (source >= v.capacity) return shipBurst(v, source - v.capacity);
-  return v.master->over ? Burst{} : entityBurst(v, source);
+  return v.globals->over ? Burst{} : entityBurst(v, source);
 }
 
 // How many one source throws.
-struct CountThrown {
+struct CountEmitted {
   View v;
   GW_BODY uint64_t operator()(uint32_t source) const { return burstOf(v, source).count; }
 };
 
 // One item: one source, which writes its particles; the last one also moves the ring on.
-struct Throw {
+struct EmitParticles {
   Particle* ring;
   uint32_t* emittedAfter;
   const uint32_t* emitted;
@@ -106,7 +106,7 @@ struct Throw {
 
  private:
   GW_BODY Particle particle(const Burst& burst, uint32_t source, uint32_t k) const {
-    const Uint4 dice = philox(v.master->seed, {v.master->tick, source, kPurposeParticles, k});
+    const Uint4 dice = philox(v.globals->seed, {v.globals->tick, source, kPurposeParticles, k});
     const float place = (float(k) + unitFloat(dice.x)) / float(burst.count) - 0.5f;  // evenly round the fan
     const SineCosine way = sineCosine(burst.angle_rad + place * burst.spread_rad);
     const float speed = burst.slow_mps + (burst.fast_mps - burst.slow_mps) * unitFloat(dice.y);
@@ -115,7 +115,7 @@ struct Throw {
     p.y = burst.y;
     p.velocity_x = way.cosine * speed;
     p.velocity_y = way.sine * speed;
-    p.birthTick = v.master->tick;
+    p.birthTick = v.globals->tick;
     p.life_ticks = burst.shortest_ticks + dice.z % (burst.longest_ticks - burst.shortest_ticks + 1);
     p.colour = burst.colour;
     p.size_m = burst.size_m * (0.7f + 0.6f * unitFloat(dice.w));
@@ -129,10 +129,10 @@ Particles::Particles(Queue& queue, uint32_t capacity, uint32_t size)
     : size_(size), sources_(capacity + kShipSources), ring_(queue, size), emitted_(queue, 2), ranks_(queue, sources_) {}
 
 void Particles::emit(Queue& queue, const View& view, uint32_t parity) {
-  ranks_.run(queue, CountThrown{view});
+  ranks_.run(queue, CountEmitted{view});
   forEach(queue, Count{sources_},
-          Throw{ring_.data(), emitted_.data() + (parity + 1) % 2, emitted_.data() + parity % 2, ranks_.view(), view,
-                size_, sources_});
+          EmitParticles{ring_.data(), emitted_.data() + (parity + 1) % 2, emitted_.data() + parity % 2, ranks_.view(),
+                        view, size_, sources_});
 }
 
 std::vector<Particle> Particles::list(uint32_t parity) const {

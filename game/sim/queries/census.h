@@ -1,4 +1,4 @@
-// Counts of who lives, for whoever looks on: a measurement, not a stage.
+// Live counts by type, for displays: a measurement, not a stage.
 #pragma once
 
 #include "game/sim/state.h"
@@ -14,7 +14,7 @@ class CensusTaker {
   // neighbours were searched. Waits for the queue.
   Census run(Queue& queue, const View& view, Neighbourhood& neighbourhood);
 
-  // The living by type, and at last who stood where neighbours were searched.
+  // The living by type, and at the end all that stood in the grid that was searched.
   static constexpr uint32_t kCounts = kTypeCount + 1;
 
  private:

@@ -121,7 +121,7 @@ TEST(desync_finder, names_a_global) {
   std::unique_ptr<Probe> reference;
   LocalProbe own = damaged({77, "logic", [](Inspection& inspection) {
                               for (const BytesOfBuffer& part : inspection.bytes()) {
-                                if (part.buffer == "master") inspection.flip(part, 0, 64 + 5);  // of the score
+                                if (part.buffer == "globals") inspection.flip(part, 0, 64 + 5);  // of the score
                               }
                             }});
   const Lockstep lockstep = compare(own, intact(reference));
@@ -167,7 +167,7 @@ TEST(desync_finder, a_desync_that_cannot_be_placed_is_one) {
   };
   LocalProbe own = damaged({77, "logic", [](Inspection& inspection) {
                               for (const BytesOfBuffer& part : inspection.bytes()) {
-                                if (part.buffer == "master") inspection.flip(part, 0, 69);
+                                if (part.buffer == "globals") inspection.flip(part, 0, 69);
                               }
                             }});
   std::unique_ptr<Probe> reference;
@@ -193,7 +193,7 @@ TEST(desync_finder, admits_what_does_not_happen_again) {
                               if (*happened) return;
                               *happened = true;
                               for (const BytesOfBuffer& part : inspection.bytes()) {
-                                if (part.buffer == "master") inspection.flip(part, 0, 70);
+                                if (part.buffer == "globals") inspection.flip(part, 0, 70);
                               }
                             }});
   const Lockstep lockstep = compare(own, intact(reference));

@@ -168,7 +168,7 @@ TEST_F(BroadPhaseSwitch, IsNotFeltByTheGameThroughAllFour) {
       expectSame(switched.last(), plain.last());
       if (t % 40 == 19) {
         const Snapshot is = switched.simulation().snapshot(), wanted = plain.simulation().snapshot();
-        EXPECT_EQ(is.master, wanted.master);
+        EXPECT_EQ(is.globals, wanted.globals);
         ASSERT_EQ(is.entities.size(), wanted.entities.size());
         EXPECT_EQ(std::memcmp(is.entities.data(), wanted.entities.data(), is.entities.size() * sizeof(EntityRecord)),
                   0);

@@ -67,7 +67,7 @@ TEST(ReplayDiff, FindsTheFirstInputAndHash) {
     r.hashes[130] ^= 1;
     r.fieldHashes[0][0] ^= 1;  // after tick 60, before the hashes differ
     r.fieldHashes[1][uint32_t(HashField::velocity)] ^= 1;
-    r.fieldHashes[1][uint32_t(HashField::master)] ^= 1;
+    r.fieldHashes[1][uint32_t(HashField::globals)] ^= 1;
   });
   ASSERT_TRUE(diff.input && diff.hash && diff.fields);
   EXPECT_EQ(diff.input->tick, 10u);
@@ -75,7 +75,7 @@ TEST(ReplayDiff, FindsTheFirstInputAndHash) {
   EXPECT_EQ(diff.hash->tick, 62u);
   EXPECT_EQ(diff.hash->a ^ diff.hash->b, 1u);
   EXPECT_EQ(diff.fields->tick, 120u);
-  EXPECT_EQ(diff.fields->fields, (std::vector<uint32_t>{uint32_t(HashField::velocity), uint32_t(HashField::master)}));
+  EXPECT_EQ(diff.fields->fields, (std::vector<uint32_t>{uint32_t(HashField::velocity), uint32_t(HashField::globals)}));
 }
 
 TEST(ReplayDiff, FieldsAreThoseAtOrAfterTheFirstHash) {

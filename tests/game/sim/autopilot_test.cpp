@@ -16,9 +16,9 @@ class autopilot : public ::testing::Test {
   StageFixture fixture;
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
-  const float x = world.master.ship.x, y = world.master.ship.y;
+  const float x = world.globals.ship.x, y = world.globals.ship.y;
 
-  autopilot() { world.master.tick = kDecisionTick; }
+  autopilot() { world.globals.tick = kDecisionTick; }
 
   void add(uint32_t type, float at_x, float at_y, float velocity_x = 0.0f, float velocity_y = 0.0f) {
     EntityRecord e = type == kTypeBit ? bitAt(rules, next, at_x, at_y) : enemyAt(rules, next, type, at_x, at_y);
@@ -56,7 +56,7 @@ TEST_F(autopilot, the_novice_aims_at_the_nearest_within_fifteen_degrees) {
   add(kTriangle, x + 25.0f, y);
   double most = 0.0;
   for (uint64_t seed = 0; seed < 60; ++seed) {
-    world.master.seed = seed;
+    world.globals.seed = seed;
     const InputRecord input = run(Autopilot::novice);
     EXPECT_EQ(input.buttons, kButtonFire);
     most = std::max(most, std::fabs(offBy(input, 3.0 * 0.7853981633974483)));
@@ -69,14 +69,14 @@ TEST_F(autopilot, the_novice_sees_where_things_were_eighteen_ticks_ago) {
   add(kTriangle, x, y + 20.0f, 20.0f, 0.0f);  // 6 m to the left then
   double sum = 0.0;
   for (uint64_t seed = 0; seed < 200; ++seed) {
-    world.master.seed = seed;
+    world.globals.seed = seed;
     sum += offBy(run(Autopilot::novice), std::atan2(20.0, -6.0));
   }
   EXPECT_NEAR(sum / 200.0, 0.0, 2.5);  // the wobble cancels; seen as it is now would be 16.7 off
 }
 
 TEST_F(autopilot, the_novice_flees_then_fetches_then_goes_to_the_middle) {
-  world.master.ship.x = world.master.ship.previous_x = 50.0f;
+  world.globals.ship.x = world.globals.ship.previous_x = 50.0f;
   add(kTypeBit, 50.0f, y + 8.0f, 0.0f, 0.0f);
   InputRecord input = run(Autopilot::novice);
   EXPECT_EQ(input.move_x, 0);
@@ -97,16 +97,16 @@ TEST_F(autopilot, bots_hold_a_decision_until_the_next) {
     const uint32_t every = who == Autopilot::novice ? 18 : 4;
     world.entities.clear();
     add(kTriangle, x + 6.0f, y);
-    world.master.tick = kDecisionTick;
+    world.globals.tick = kDecisionTick;
     const InputRecord held = run(who);
-    world.master.input = held;  // as logic keeps it
+    world.globals.input = held;  // as logic keeps it
     world.entities.clear();
     add(kTriangle, x - 6.0f, y);
     for (uint32_t tick = 1; tick < every; ++tick) {
-      world.master.tick = kDecisionTick + tick;
+      world.globals.tick = kDecisionTick + tick;
       EXPECT_EQ(run(who), held) << tick;
     }
-    world.master.tick = kDecisionTick + every;
+    world.globals.tick = kDecisionTick + every;
     EXPECT_NE(run(who).aim >> 14, held.aim >> 14);
   }
 }
@@ -125,7 +125,7 @@ TEST_F(autopilot, the_novice_flushes_half_of_the_time_when_crowded) {
   const auto flushes = [&] {
     uint32_t count = 0;
     for (uint64_t seed = 0; seed < 200; ++seed) {
-      world.master.seed = seed;
+      world.globals.seed = seed;
       count += (run(Autopilot::novice).buttons & kButtonFlush) != 0;
     }
     return count;
@@ -133,7 +133,7 @@ TEST_F(autopilot, the_novice_flushes_half_of_the_time_when_crowded) {
   EXPECT_NEAR(double(flushes()), 100.0, 30.0);
   world.entities.pop_back();
   EXPECT_EQ(flushes(), 0u);
-  world.master.frameTime_us = 60001;
+  world.globals.frameTime_us = 60001;
   EXPECT_GT(flushes(), 60u);
   world.entities.resize(4);
   EXPECT_EQ(flushes(), 0u);
@@ -144,7 +144,7 @@ TEST_F(autopilot, the_expert_aims_with_lead_within_two_degrees) {
   // Seen 0.1 s late, then followed over that time and the shot's way.
   const double lead = 12.06 / 45.0 + 0.1, wanted = std::atan2(-1.2 + 12.0 * lead, 12.0);
   for (uint64_t seed = 0; seed < 30; ++seed) {
-    world.master.seed = seed;
+    world.globals.seed = seed;
     EXPECT_NEAR(offBy(run(Autopilot::expert), wanted), 0.0, 2.2);
   }
 }
@@ -167,7 +167,7 @@ TEST_F(autopilot, bots_decide_the_same_with_either_search) {
   StageFixture brute(config);
   for (uint32_t seed = 0; seed < 20; ++seed) {
     world = fixture.emptyWorld();
-    world.master.tick = kDecisionTick;
+    world.globals.tick = kDecisionTick;
     Dice dice(seed);
     addCrowd(world, 200, 60, 60, 30.0f, dice);
     for (const Autopilot who : {Autopilot::novice, Autopilot::expert}) {

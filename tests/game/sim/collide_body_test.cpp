@@ -43,7 +43,7 @@ class separation : public ::testing::Test {
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
 
-  separation() { world.master.tick = kLateTick; }
+  separation() { world.globals.tick = kLateTick; }
 
   std::vector<EntityRecord> run() {
     fixture.begin(world);

@@ -17,7 +17,7 @@ uint32_t differences(BroadPhase broadPhase, cpu::Break how) {
   uint32_t differ = 0;
   for (uint32_t seed = 0; seed < 10; ++seed) {
     naive::World world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
+    world.globals.tick = kLateTick;
     Dice dice(seed);
     addCrowd(world, 180, 120, 0, 9.0f, dice);
     fixture.begin(world);

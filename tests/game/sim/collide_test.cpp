@@ -14,9 +14,9 @@ class collide : public ::testing::Test {
   StageFixture fixture;
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
-  const float x = world.master.ship.x, y = world.master.ship.y + 30.0f;  // a place far from the ship
+  const float x = world.globals.ship.x, y = world.globals.ship.y + 30.0f;  // a place far from the ship
 
-  collide() { world.master.tick = kLateTick; }
+  collide() { world.globals.tick = kLateTick; }
 
   EntityRecord& enemy(uint32_t id, uint32_t type, float at_x, float at_y) {
     return world.add(enemyAt(rules, id, type, at_x, at_y));
@@ -25,12 +25,12 @@ class collide : public ::testing::Test {
     return world.add(shotAt(rules, id, at_x, at_y, 0.0f, hits));
   }
 
-  // One tick without thoughts; what is left becomes the world. The master's totals are kept apart.
+  // One tick without thoughts; what is left becomes the world. The globals's totals are kept apart.
   void run() {
     fixture.begin(world);
     cpu::integrate(fixture.queue(), fixture.view());
     cpu::collide(fixture.queue(), fixture.view());
-    contact = fixture.master().totals.contact;
+    contact = fixture.globals().totals.contact;
     world.entities.clear();
     for (const EntityRecord& e : fixture.entities(true, true)) world.add(e);
   }
@@ -48,7 +48,7 @@ TEST_F(collide, is_the_naive_version_on_crowds) {
   for (uint32_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(seed);
     world = fixture.emptyWorld();
-    Master& m = world.master;
+    GameGlobals& m = world.globals;
     m.tick = kLateTick;
     if (seed % 3 == 1) m.ship.x = m.ship.previous_x = 4.0f;
     Dice dice(seed);
@@ -68,7 +68,7 @@ TEST_F(collide, is_the_naive_version_on_crowds) {
     naive::collide(world);
     std::erase_if(world.entities, [](const naive::Entity& e) { return e.gone; });
     EXPECT_TRUE(same(fixture.entities(true, true), world.records()));
-    EXPECT_TRUE(same(fixture.master(), m));
+    EXPECT_TRUE(same(fixture.globals(), m));
   }
 }
 
@@ -179,7 +179,7 @@ TEST_F(collide, the_announced_the_dead_and_the_dying_are_not_hit) {
 }
 
 TEST_F(collide, the_costliest_touches_then_the_lowest_id) {
-  const float ship_x = world.master.ship.x, ship_y = world.master.ship.y;
+  const float ship_x = world.globals.ship.x, ship_y = world.globals.ship.y;
   enemy(1, kHexagon, ship_x + 1.9f, ship_y);  // 0.25 m too far
   enemy(2, kTriangle, ship_x + 0.5f, ship_y);
   enemy(5, kHexagon, ship_x - 1.5f, ship_y);
@@ -188,13 +188,13 @@ TEST_F(collide, the_costliest_touches_then_the_lowest_id) {
   EXPECT_EQ(contact >> 32, rules.enemies[kHexagon].contact_us);
   ASSERT_GT(rules.enemies[kHexagon].contact_us, rules.enemies[kTriangle].contact_us);
   EXPECT_EQ(~uint32_t(contact), 5u);
-  world.master.ship.untouchable_ticks = 1;
+  world.globals.ship.untouchable_ticks = 1;
   run();
   EXPECT_EQ(contact, 0u);
 }
 
 TEST_F(collide, contact_is_swept_too) {
-  Ship& ship = world.master.ship;
+  Ship& ship = world.globals.ship;
   ship.previous_x = ship.x - 2.0f;  // it flew through where the enemy stands
   enemy(0, kTriangle, ship.x - 1.0f, ship.y);
   run();
@@ -203,7 +203,7 @@ TEST_F(collide, contact_is_swept_too) {
 }
 
 TEST_F(collide, the_blast_ends_the_toucher_and_the_weak_within_five_metres) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   m.blast = 1;
   m.blastId = 6;
   enemy(0, kTriangle, m.ship.x + 4.9f, m.ship.y);
@@ -222,7 +222,7 @@ TEST_F(collide, the_blast_ends_the_toucher_and_the_weak_within_five_metres) {
 }
 
 TEST_F(collide, the_flush_ends_whoever_its_ring_has_met) {
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   m.flush_x = m.ship.x - 20.0f;
   m.flush_y = m.ship.y;
   m.flushRadius_m = 10.0f;
@@ -237,7 +237,7 @@ TEST_F(collide, the_flush_ends_whoever_its_ring_has_met) {
 TEST_F(collide, nothing_collides_once_the_game_is_over) {
   Dice dice(5);
   addCrowd(world, 100, 60, 10, 6.0f, dice);
-  world.master.over = 1;
+  world.globals.over = 1;
   const auto before = world.records();
   run();
   EXPECT_TRUE(same(world.records(), before));

@@ -24,7 +24,7 @@ class draw_list : public ::testing::Test {
   const DrawView everything{96.0f, 54.0f, 96.0f, 54.0f};
   DrawArraysCommand command{};
 
-  draw_list() { world.master.tick = kLateTick; }
+  draw_list() { world.globals.tick = kLateTick; }
 
   std::vector<SpriteVertex> run(const DrawView& window, uint32_t capacity = 20000) {
     fixture.put(world);
@@ -57,7 +57,7 @@ class draw_list : public ::testing::Test {
     }
     std::vector<std::pair<float, float>> order;
     for (const auto& layer : layers) order.insert(order.end(), layer.begin(), layer.end());
-    order.push_back({world.master.ship.x, world.master.ship.y});
+    order.push_back({world.globals.ship.x, world.globals.ship.y});
     return order;
   }
   static std::vector<std::pair<float, float>> places(const std::vector<SpriteVertex>& sprites) {
@@ -164,8 +164,8 @@ TEST_F(draw_list, colours_by_rows_of_bins_where_the_grid_has_no_rows) {
 TEST_F(draw_list, says_how_shots_bits_and_the_ship_look) {
   world.add(shotAt(rules, 0, 40.0f, 40.0f, 0.7f));
   world.add(bitAt(rules, 1, 50.0f, 40.0f)).timer = 180;
-  world.master.ship.untouchable_ticks = 5;
-  world.master.ship.aim_rad = 0.25f;
+  world.globals.ship.untouchable_ticks = 5;
+  world.globals.ship.aim_rad = 0.25f;
   const auto sprites = run(everything);
   ASSERT_EQ(sprites.size(), 3u);
   EXPECT_EQ(sprites[0].shapeFlags & 0xFFu, uint32_t(Shape::bit));

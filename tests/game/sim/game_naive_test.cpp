@@ -1,4 +1,4 @@
-// The whole game beside its naive version, record by record and byte by byte of the master, tick after tick.
+// The whole game beside its naive version, record by record and byte by byte of the globals, tick after tick.
 #include <gtest/gtest.h>
 
 #include "tests/game/sim/game_runs.h"
@@ -11,12 +11,12 @@ void playBoth(SimulationConfig config, const naive::World& start, uint32_t ticks
   const auto simulation = cpu::makeSimulation(config);
   simulation->restore(snapshotOf(start));
   naive::World world = start;
-  for (uint32_t t = 0; t < ticks && !world.master.over; ++t) {
+  for (uint32_t t = 0; t < ticks && !world.globals.over; ++t) {
     simulation->tick({});
     naive::tick(world, simulation->report().input);
     const Snapshot is = simulation->snapshot();
-    ASSERT_TRUE(same(masterOf(is), world.master)) << "tick " << world.master.tick;
-    ASSERT_TRUE(same(is.entities, world.records())) << "tick " << world.master.tick;
+    ASSERT_TRUE(same(globalsOf(is), world.globals)) << "tick " << world.globals.tick;
+    ASSERT_TRUE(same(is.entities, world.records())) << "tick " << world.globals.tick;
   }
 }
 
@@ -30,9 +30,9 @@ TEST(game_naive, a_crowd_against_wide_salvoes_is_the_same) {
   SimulationConfig config = stageConfig();
   config.autopilot = Autopilot::expert;
   naive::World world = StageFixture(config).emptyWorld();
-  world.master.tick = world.master.waveClock_ticks = kLateTick;
-  world.master.wave = 5;
-  world.master.multiplierTenths = 1200;
+  world.globals.tick = world.globals.waveClock_ticks = kLateTick;
+  world.globals.wave = 5;
+  world.globals.multiplierTenths = 1200;
   Dice dice(7);
   addCrowd(world, 200, 60, 40, 20.0f, dice);
   playBoth(config, world, 240);
@@ -42,13 +42,13 @@ TEST(game_naive, the_last_seconds_are_the_same) {
   SimulationConfig config = stageConfig();
   config.autopilot = Autopilot::novice;
   naive::World world = StageFixture(config).emptyWorld();
-  world.master.tick = world.master.waveClock_ticks = 12000;
-  world.master.wave = config.rules.waveCount;
-  world.master.endless = 2;
-  world.master.frameTime_us = 70000;
-  world.master.score = 99990;
-  world.master.ship.x = 3.0f;
-  world.master.ship.y = 4.0f;
+  world.globals.tick = world.globals.waveClock_ticks = 12000;
+  world.globals.wave = config.rules.waveCount;
+  world.globals.endless = 2;
+  world.globals.frameTime_us = 70000;
+  world.globals.score = 99990;
+  world.globals.ship.x = 3.0f;
+  world.globals.ship.y = 4.0f;
   Dice dice(8);
   addCrowd(world, 120, 20, 90, 12.0f, dice);
   playBoth(config, world, 600);
@@ -59,9 +59,9 @@ TEST(game_naive, the_deadline_is_the_same) {
   config.mode = Mode::deadline;
   config.autopilot = Autopilot::novice;
   naive::World world = StageFixture(config).emptyWorld();
-  world.master.tick = world.master.waveClock_ticks = 6000;
-  world.master.wave = 10;
-  world.master.clock_ticks = 500;
+  world.globals.tick = world.globals.waveClock_ticks = 6000;
+  world.globals.wave = 10;
+  world.globals.clock_ticks = 500;
   Dice dice(9);
   addCrowd(world, 120, 20, 90, 12.0f, dice);
   playBoth(config, world, 520);
@@ -85,10 +85,10 @@ TEST(game_naive, endless_waves_that_do_not_fit_are_the_same) {
   SimulationConfig config = stageConfig(128);
   config.autopilot = Autopilot::expert;
   naive::World world = StageFixture(config).emptyWorld();
-  world.master.wave = config.rules.waveCount;
-  world.master.endless = 3;
-  world.master.tick = 10000;
-  world.master.waveClock_ticks = config.rules.endless.from_ticks + 3 * config.rules.endless.every_ticks - 10;
+  world.globals.wave = config.rules.waveCount;
+  world.globals.endless = 3;
+  world.globals.tick = 10000;
+  world.globals.waveClock_ticks = config.rules.endless.from_ticks + 3 * config.rules.endless.every_ticks - 10;
   playBoth(config, world, 300);
 }
 

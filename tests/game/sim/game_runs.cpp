@@ -7,21 +7,21 @@ namespace gw::test {
 
 Snapshot snapshotOf(const naive::World& world) {
   Snapshot snapshot;
-  snapshot.master.resize(sizeof(Master));
-  std::memcpy(snapshot.master.data(), &world.master, sizeof(Master));
+  snapshot.globals.resize(sizeof(GameGlobals));
+  std::memcpy(snapshot.globals.data(), &world.globals, sizeof(GameGlobals));
   snapshot.entities = world.records();
   return snapshot;
 }
 
-Master masterOf(const Snapshot& snapshot) {
-  Master master;
-  std::memcpy(&master, snapshot.master.data(), sizeof master);
-  return master;
+GameGlobals globalsOf(const Snapshot& snapshot) {
+  GameGlobals globals;
+  std::memcpy(&globals, snapshot.globals.data(), sizeof globals);
+  return globals;
 }
 
 Snapshot crowdScene(const SimulationConfig& config, uint32_t enemies, uint32_t seed) {
   naive::World world = StageFixture(config).emptyWorld();
-  Master& m = world.master;
+  GameGlobals& m = world.globals;
   m.tick = m.waveClock_ticks = kLateTick;
   m.wave = 5;
   m.multiplierTenths = 400;

@@ -10,7 +10,7 @@
 namespace gw::test {
 
 Snapshot snapshotOf(const naive::World& world);
-Master masterOf(const Snapshot& snapshot);
+GameGlobals globalsOf(const Snapshot& snapshot);
 
 // A crowd of that many living enemies round the ship in the midst of the arcade, as a snapshot.
 Snapshot crowdScene(const SimulationConfig& config, uint32_t enemies, uint32_t seed = 1);

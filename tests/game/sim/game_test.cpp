@@ -160,9 +160,9 @@ TEST(game, eight_thousand_enemies_at_once_are_alive_and_the_rest_is_refused) {
   SimulationConfig config = stageConfig(8192);
   config.threads = 2;
   Snapshot scene = crowdScene(config, 8192);
-  Master master = masterOf(scene);
-  master.waveClock_ticks = config.rules.waves[5].at_ticks;  // a wave is due, and there is no room
-  std::memcpy(scene.master.data(), &master, sizeof master);
+  GameGlobals globals = globalsOf(scene);
+  globals.waveClock_ticks = config.rules.waves[5].at_ticks;  // a wave is due, and there is no room
+  std::memcpy(scene.globals.data(), &globals, sizeof globals);
   uint32_t refused = 0;
   for (uint32_t g = 0; g < config.rules.waves[5].groupCount; ++g) refused += config.rules.waves[5].groups[g].count;
   const auto simulation = cpu::makeSimulation(config);
@@ -210,7 +210,7 @@ TEST(game, ends_for_the_novice_and_then_stands_still) {
       for (const uint16_t count : event) EXPECT_EQ(count, 0u);
     }
     const Snapshot now = simulation->snapshot();
-    EXPECT_EQ(now.master, end.master);
+    EXPECT_EQ(now.globals, end.globals);
     EXPECT_TRUE(same(now.entities, end.entities));
   }
 }

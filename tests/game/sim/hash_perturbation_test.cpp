@@ -1,4 +1,4 @@
-// Proof that comparing hashes can fail: one float moved by one unit in the last place, one bit of the master,
+// Proof that comparing hashes can fail: one float moved by one unit in the last place, one bit of the globals,
 // one missing shot: the game is another from the next tick on.
 #include <gtest/gtest.h>
 
@@ -49,15 +49,15 @@ TEST_F(hash_perturbation, an_energy_by_one_ulp) {
 
 TEST_F(hash_perturbation, the_ship_by_one_ulp) {
   Snapshot changed = scene;
-  Master master = masterOf(changed);
-  master.ship.x = std::nextafterf(master.ship.x, 0.0f);
-  std::memcpy(changed.master.data(), &master, sizeof master);
+  GameGlobals globals = globalsOf(changed);
+  globals.ship.x = std::nextafterf(globals.ship.x, 0.0f);
+  std::memcpy(changed.globals.data(), &globals, sizeof globals);
   expectAnother(changed);
 }
 
 TEST_F(hash_perturbation, the_seed_by_one_bit) {
   Snapshot changed = scene;
-  changed.master[7] ^= 0x80;
+  changed.globals[7] ^= 0x80;
   expectAnother(changed);
 }
 

@@ -1,4 +1,4 @@
-// The hash sees every simulated bit, and nothing else; the report says what the master and settle say.
+// The hash sees every simulated bit, and nothing else; the report says what the globals and settle say.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class hash : public ::testing::Test {
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
 
-  hash() { world.master.tick = kLateTick; }
+  hash() { world.globals.tick = kLateTick; }
 
   TickReport run(const naive::World& of) { return run(fixture, of); }
   static TickReport run(StageFixture& on, const naive::World& of) {
@@ -55,17 +55,17 @@ TEST_F(hash, every_bit_of_every_field_of_an_entity_changes_it) {
   EXPECT_EQ(hashes.size(), changes + 1);
 }
 
-TEST_F(hash, every_word_of_the_master_changes_it) {
+TEST_F(hash, every_word_of_the_globals_changes_it) {
   std::set<uint64_t> hashes{run(world).hash};
-  for (size_t offset = 0; offset < sizeof(Master); offset += 4) {
+  for (size_t offset = 0; offset < sizeof(GameGlobals); offset += 4) {
     naive::World other = world;
     uint32_t word;
-    std::memcpy(&word, reinterpret_cast<char*>(&other.master) + offset, 4);
+    std::memcpy(&word, reinterpret_cast<char*>(&other.globals) + offset, 4);
     word ^= 1u;
-    std::memcpy(reinterpret_cast<char*>(&other.master) + offset, &word, 4);
+    std::memcpy(reinterpret_cast<char*>(&other.globals) + offset, &word, 4);
     hashes.insert(run(other).hash);
   }
-  EXPECT_EQ(hashes.size(), sizeof(Master) / 4 + 1);
+  EXPECT_EQ(hashes.size(), sizeof(GameGlobals) / 4 + 1);
 }
 
 TEST_F(hash, type_id_and_presence_change_it) {
@@ -118,8 +118,8 @@ TEST_F(hash, neither_the_arrangement_nor_the_order_of_visits_is_felt) {
   EXPECT_EQ(report.hash, wanted);
 }
 
-TEST_F(hash, the_report_repeats_the_master_and_the_totals) {
-  Master& m = world.master;
+TEST_F(hash, the_report_repeats_the_globals_and_the_totals) {
+  GameGlobals& m = world.globals;
   m.score = 0x123456789Aull;
   m.kills = 77;
   m.killsByType[2] = 7;

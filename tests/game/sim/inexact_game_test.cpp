@@ -39,7 +39,7 @@ std::vector<TickReport> playScene(const SimulationConfig& config, const std::vec
 }
 
 bool equal(const Snapshot& a, const Snapshot& b) {
-  return a.master == b.master && a.arrangement == b.arrangement && bool(same(a.entities, b.entities));
+  return a.globals == b.globals && a.arrangement == b.arrangement && bool(same(a.entities, b.entities));
 }
 
 class inexact_game : public ::testing::TestWithParam<Way> {
@@ -111,9 +111,9 @@ TEST_P(inexact_game, is_played_again_from_its_replay) {
 
 TEST_P(inexact_game, stands_still_once_it_is_over) {
   Snapshot scene = crowdScene(config, 100);
-  Master master = masterOf(scene);
-  master.frameTime_us = config.rules.budget.limit_us + 1;
-  std::memcpy(scene.master.data(), &master, sizeof master);
+  GameGlobals globals = globalsOf(scene);
+  globals.frameTime_us = config.rules.budget.limit_us + 1;
+  std::memcpy(scene.globals.data(), &globals, sizeof globals);
   const auto simulation = cpu::makeSimulation(config);
   simulation->restore(scene);
   const TickReport last = play(*simulation, 1)[0];

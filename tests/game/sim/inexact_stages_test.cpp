@@ -40,7 +40,7 @@ TEST(inexact_hash, feels_every_two_cells_that_change_places) {
   for (const Gather gather : {Gather::adaptive, Gather::fixed, Gather::exact}) {
     StageFixture fixture(configWith(gather));
     naive::World world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
+    world.globals.tick = kLateTick;
     Dice dice(3);
     addCrowd(world, 60, 10, 10, 50.0f, dice);
     fixture.begin(world);
@@ -76,7 +76,7 @@ class asymmetric_window : public ::testing::Test {
   static std::vector<EntityRecord> collided(Gather gather) {
     StageFixture fixture(configWith(gather));
     naive::World world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
+    world.globals.tick = kLateTick;
     const Rules& rules = fixture.rules();
     world.add(shotAt(rules, kShot, 50.0f, 50.0f, 0.0f));
     world.add(enemyAt(rules, kHigh, 0, 50.5f, 80.0f));

@@ -16,7 +16,7 @@ class integrate : public ::testing::Test {
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
 
-  integrate() { world.master.tick = kLateTick; }
+  integrate() { world.globals.tick = kLateTick; }
 
   std::vector<EntityRecord> run() {
     fixture.begin(world);
@@ -40,8 +40,8 @@ TEST_F(integrate, is_the_naive_version_on_crowds) {
   for (uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
-    world.master.ship.x = seed % 2 ? 5.0f : 96.0f;  // some crowds are at the walls
+    world.globals.tick = kLateTick;
+    world.globals.ship.x = seed % 2 ? 5.0f : 96.0f;  // some crowds are at the walls
     Dice dice(seed);
     addCrowd(world, 150, 60, 60, 40.0f, dice);
     fixture.begin(world);
@@ -151,7 +151,7 @@ TEST_F(integrate, shots_end_at_the_walls_where_bits_stop) {
 }
 
 TEST_F(integrate, nothing_moves_once_the_game_is_over) {
-  world.master.over = 1;
+  world.globals.over = 1;
   Dice dice(4);
   addCrowd(world, 60, 20, 20, 20.0f, dice);
   EXPECT_TRUE(same(run(), world.records()));

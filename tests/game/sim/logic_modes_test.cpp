@@ -19,16 +19,16 @@ SimulationConfig modeConfig(Mode mode, uint32_t enemies = 1000) {
   return config;
 }
 
-// The master thread alone.
+// Logic alone.
 class Logic {
  public:
-  explicit Logic(Mode mode, uint32_t enemies = 1000) : fixture(modeConfig(mode, enemies)), m(fixture.master()) {}
+  explicit Logic(Mode mode, uint32_t enemies = 1000) : fixture(modeConfig(mode, enemies)), m(fixture.globals()) {}
 
   void run(InputRecord input = {}) {
-    fixture.setMaster(m);
+    fixture.setGlobals(m);
     fixture.setInput(input);
     cpu::logic(fixture.queue(), fixture.view());
-    m = fixture.master();
+    m = fixture.globals();
     s = fixture.scratch();
   }
   void busy(uint32_t enemies) {
@@ -44,7 +44,7 @@ class Logic {
   }
 
   StageFixture fixture;
-  Master m;
+  GameGlobals m;
   TickScratch s{};
 };
 
@@ -153,8 +153,8 @@ TEST(swarm, the_last_hundredth_attacks_and_an_empty_field_is_cleared) {
 TEST(swarm, whoever_is_told_to_attack_does_from_anywhere) {
   StageFixture fixture(modeConfig(Mode::swarm, 256));
   naive::World world = fixture.emptyWorld();
-  world.master.tick = kLateTick;
-  world.master.allAttack = 1;
+  world.globals.tick = kLateTick;
+  world.globals.allAttack = 1;
   for (uint32_t type = 0; type < fixture.rules().enemyTypeCount; ++type) {
     world.add(enemyAt(fixture.rules(), type, type, 4.0f, 4.0f + 12.0f * float(type)));  // out of every enemy's sight
   }

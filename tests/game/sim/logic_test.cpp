@@ -1,4 +1,4 @@
-// The master thread: the ship, its guns, what contact costs, what bits give back, and the end.
+// Logic: the ship, its guns, what contact costs, what bits give back, and the end.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ class logic : public ::testing::Test {
  protected:
   StageFixture fixture;
   const Rules& rules = fixture.rules();
-  Master m = fixture.master();
+  GameGlobals m = fixture.globals();
   TickScratch s{};
 
   logic() {
@@ -25,10 +25,10 @@ class logic : public ::testing::Test {
   // One tick with that input, in a field too busy for an early wave; m and s are what it leaves.
   void run(InputRecord input = {}) {
     m.totals.inView = rules.idle.fewerThan;
-    fixture.setMaster(m);
+    fixture.setGlobals(m);
     fixture.setInput(input);
     cpu::logic(fixture.queue(), fixture.view());
-    m = fixture.master();
+    m = fixture.globals();
     s = fixture.scratch();
   }
   static uint64_t contactOf(uint32_t cost_us, uint32_t id) { return uint64_t(cost_us) << 32 | uint32_t(~id); }
@@ -125,13 +125,13 @@ TEST_F(logic, kills_score_by_the_multiplier_and_flushed_ones_their_bare_value) {
 TEST_F(logic, contact_costs_time_and_makes_untouchable_for_ninety_ticks) {
   StageFixture& f = fixture;
   naive::World world = f.emptyWorld();
-  world.master = m;
-  world.master.totals.contact = contactOf(12000, 7);
+  world.globals = m;
+  world.globals.totals.contact = contactOf(12000, 7);
   world.add(enemyAt(rules, 7, 2, 50.0f, 50.0f));
   f.put(world);
   f.setInput({});
   cpu::logic(f.queue(), f.view());
-  m = f.master();
+  m = f.globals();
   s = f.scratch();
   EXPECT_EQ(m.frameTime_us, 16667u + 12000u);
   EXPECT_EQ(m.blast, 1u);
@@ -236,7 +236,7 @@ TEST_F(logic, under_twelve_frames_a_second_it_is_over) {
   EXPECT_EQ(s.overSounds, 1u);
   EXPECT_EQ(s.commandCount, 0u);
   EXPECT_EQ(m.ship.x, ship.x);
-  const Master end = m;
+  const GameGlobals end = m;
   run({kStickFull, 0, 0, uint16_t(kButtonFire | kButtonFlush)});
   EXPECT_TRUE(same(m, end));
   EXPECT_EQ(s.overSounds, 0u);

@@ -1,4 +1,4 @@
-// The master thread's waves: the timetable, the idle rule, the endless waves, and what does not fit.
+// Waves: the timetable, the idle rule, the endless waves, and what does not fit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ class waves : public ::testing::Test {
  protected:
   StageFixture fixture{stageConfig(8192)};
   const Rules& rules = fixture.rules();
-  Master m = fixture.master();
+  GameGlobals m = fixture.globals();
   TickScratch s{};
 
   // Totals of a field that is busy, so that no wave comes early.
@@ -25,10 +25,10 @@ class waves : public ::testing::Test {
     m.totals.occupied[0] = 8;
   }
   void run() {
-    fixture.setMaster(m);
+    fixture.setGlobals(m);
     fixture.setInput({});
     cpu::logic(fixture.queue(), fixture.view());
-    m = fixture.master();
+    m = fixture.globals();
     s = fixture.scratch();
   }
   uint32_t ordered() const {
@@ -158,8 +158,8 @@ TEST_F(waves, a_full_field_takes_nobody) {
 TEST_F(waves, are_the_naive_version_over_ten_minutes_of_chance) {
   naive::World world = fixture.emptyWorld();
   Dice dice(1);
-  for (uint32_t tick = 0; tick < 36000 && !world.master.over; ++tick) {
-    Totals& t = world.master.totals;
+  for (uint32_t tick = 0; tick < 36000 && !world.globals.over; ++tick) {
+    Totals& t = world.globals.totals;
     t.inView = dice.below(4000) < 3 ? 0 : dice.below(40);
     t.coming = dice.below(4000) < 3 ? 9 : dice.below(9);
     t.occupied[0] = dice.below(8300);
@@ -171,18 +171,18 @@ TEST_F(waves, are_the_naive_version_over_ten_minutes_of_chance) {
     if (dice.below(700) == 0) t.contact = uint64_t(1000 + dice.below(1000)) << 32 | uint32_t(~dice.below(5000));
     const auto stick = [&] { return int16_t(int(dice.below(65535)) - 32767); };
     world.input = {stick(), stick(), uint16_t(dice.below(65536)), uint16_t(dice.below(4))};
-    fixture.setMaster(world.master);
+    fixture.setGlobals(world.globals);
     fixture.setInput(world.input);
     cpu::logic(fixture.queue(), fixture.view());
     naive::logic(world);
-    ASSERT_TRUE(same(fixture.master(), world.master)) << "tick " << tick;
+    ASSERT_TRUE(same(fixture.globals(), world.globals)) << "tick " << tick;
     const TickScratch is = fixture.scratch();
     ASSERT_EQ(is.commandCount, world.commands.size()) << "tick " << tick;
     for (uint32_t c = 0; c < is.commandCount; ++c) {
       ASSERT_EQ(0, std::memcmp(&is.commands[c], &world.commands[c], sizeof(Command))) << "tick " << tick;
     }
   }
-  EXPECT_GT(world.master.tick, 10000u);
+  EXPECT_GT(world.globals.tick, 10000u);
 }
 
 }  // namespace

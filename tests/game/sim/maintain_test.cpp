@@ -21,7 +21,7 @@ class maintain : public ::testing::TestWithParam<Sort> {
   StageFixture fixture{configWith(GetParam())};
   naive::World world = fixture.emptyWorld();
 
-  maintain() { world.master.tick = kLateTick; }
+  maintain() { world.globals.tick = kLateTick; }
 
   // What a row is sorted by.
   float orderOf(const Cell& cell) {

@@ -35,7 +35,7 @@ class particles : public ::testing::Test {
   const Rules& rules = fixture.rules();
   cpu::Particles ring{fixture.queue(), fixture.limits().capacity, kSize};
 
-  particles() { world.master.tick = kLateTick; }
+  particles() { world.globals.tick = kLateTick; }
 
   // A tick without its logic and spawn, and what it throws.
   std::vector<Particle> run(cpu::Particles& into, uint32_t parity = 0) {
@@ -89,9 +89,9 @@ TEST_F(particles, are_those_of_the_naive_version_on_crowds) {
   for (uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     world = fixture.emptyWorld();
-    world.master.seed = seed * 0x123456789ull;
-    world.master.tick = kLateTick + seed;
-    world.master.ship.velocity_x = float(seed % 3) * 4.0f;
+    world.globals.seed = seed * 0x123456789ull;
+    world.globals.tick = kLateTick + seed;
+    world.globals.ship.velocity_x = float(seed % 3) * 4.0f;
     Dice dice(seed);
     addCrowd(world, 200, 60, 120, seed % 2 ? 20.0f : 8.0f, dice);
     for (naive::Entity& e : world.entities) {
@@ -148,7 +148,7 @@ TEST_F(particles, drop_the_oldest_when_the_ring_is_full) {
   std::vector<Particle> all;
   for (uint32_t t = 0; t < 9; ++t) {
     world.entities.clear();
-    world.master.tick = kLateTick + t;
+    world.globals.tick = kLateTick + t;
     dyingAt(t, t % 2, 30.0f + float(t), 40.0f);
     const auto list = run(small, t);
     const auto fresh = naive::thrown(world, happened(), TickScratch{});
@@ -171,9 +171,9 @@ TEST_F(particles, of_a_lost_ship_are_the_last) {
   dyingAt(7, 0, 40.0f, 41.0f);
   fixture.begin(world);
   stages();
-  Master over = fixture.master();
+  GameGlobals over = fixture.globals();
   over.over = uint32_t(Ending::frameRate);
-  fixture.setMaster(over);
+  fixture.setGlobals(over);
   TickScratch scratch = fixture.scratch();
   scratch.overSounds = 1;
   fixture.setScratch(scratch);

@@ -66,7 +66,7 @@ uint32_t livingState(Machine machine, Dice& dice) {
 }  // namespace
 
 void addCrowd(naive::World& world, uint32_t enemies, uint32_t shots, uint32_t bits, float halfWidth_m, Dice& dice) {
-  const Ship& ship = world.master.ship;
+  const Ship& ship = world.globals.ship;
   const Rules& rules = world.rules;
   uint32_t id = dice.below(3);
   const auto x = [&] {
@@ -95,7 +95,7 @@ void addCrowd(naive::World& world, uint32_t enemies, uint32_t shots, uint32_t bi
     e.flags = dice.below(4) == 0 ? uint32_t(kFlagHit) : 0u;
     if (e.state == uint32_t(State::dead)) e.flags |= dice.below(4) * kFlagFlushed;
     if (dice.below(4) == 0) e.energy = dice.between(-1.0f, e.energy);
-    if (dice.below(8) == 0) e.birthTick = world.master.tick - dice.below(rules.world.announced_ticks);
+    if (dice.below(8) == 0) e.birthTick = world.globals.tick - dice.below(rules.world.announced_ticks);
     world.add(e);
   }
   for (uint32_t i = 0; i < shots; ++i, id += 1 + dice.below(2)) {

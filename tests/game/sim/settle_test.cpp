@@ -11,9 +11,9 @@ class settle : public ::testing::Test {
   StageFixture fixture;
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
-  const float x = world.master.ship.x, y = world.master.ship.y;
+  const float x = world.globals.ship.x, y = world.globals.ship.y;
 
-  settle() { world.master.tick = kLateTick; }
+  settle() { world.globals.tick = kLateTick; }
 
   EntityRecord& enemy(uint32_t id, uint32_t type, float at_x, float at_y) {
     return world.add(enemyAt(rules, id, type, at_x, at_y));
@@ -23,7 +23,7 @@ class settle : public ::testing::Test {
     cpu::think(fixture.queue(), fixture.view());
     cpu::integrate(fixture.queue(), fixture.view());
     cpu::settle(fixture.queue(), fixture.view());
-    return fixture.master().totals;
+    return fixture.globals().totals;
   }
 };
 
@@ -31,7 +31,7 @@ TEST_F(settle, is_the_naive_version_on_crowds) {
   for (uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
+    world.globals.tick = kLateTick;
     Dice dice(seed);
     addCrowd(world, 200, 60, 120, seed % 2 ? 60.0f : 8.0f, dice);
     fixture.begin(world);
@@ -43,7 +43,7 @@ TEST_F(settle, is_the_naive_version_on_crowds) {
     naive::integrate(world);
     naive::collide(world);
     naive::settle(world);
-    EXPECT_TRUE(same(fixture.master(), world.master));
+    EXPECT_TRUE(same(fixture.globals(), world.globals));
   }
 }
 
@@ -106,12 +106,12 @@ TEST_F(settle, counts_bits_that_were_taken_or_ran_out) {
 }
 
 TEST_F(settle, adds_nothing_once_the_game_is_over) {
-  world.master.over = 1;
-  world.master.totals.kills[0] = 3;
+  world.globals.over = 1;
+  world.globals.totals.kills[0] = 3;
   Dice dice(2);
   addCrowd(world, 80, 5, 20, 20.0f, dice);
   run();
-  EXPECT_TRUE(same(fixture.master(), world.master));
+  EXPECT_TRUE(same(fixture.globals(), world.globals));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace gw::test {
 namespace {
 
 bool equal(const Snapshot& a, const Snapshot& b) {
-  return a.master == b.master && bool(same(a.entities, b.entities));
+  return a.globals == b.globals && bool(same(a.entities, b.entities));
 }
 
 SimulationConfig configWith(BroadPhase broadPhase, Autopilot autopilot = Autopilot::none) {
@@ -91,8 +91,8 @@ TEST(snapshot, what_does_not_fit_is_refused_and_changes_nothing) {
     EXPECT_THROW(simulation->restore(bad), std::invalid_argument) << what;
     EXPECT_TRUE(equal(simulation->snapshot(), before)) << what;
   };
-  refused("a short master", [](Snapshot& s) { s.master.pop_back(); });
-  refused("no master", [](Snapshot& s) { s.master.clear(); });
+  refused("short globals", [](Snapshot& s) { s.globals.pop_back(); });
+  refused("no globals", [](Snapshot& s) { s.globals.clear(); });
   refused("an id past the capacity", [&](Snapshot& s) { s.entities.back().id = simulation->capacity(); });
   refused("ids out of order", [](Snapshot& s) { std::swap(s.entities[3], s.entities[4]); });
   refused("one id twice", [](Snapshot& s) { s.entities[4].id = s.entities[3].id; });
@@ -145,9 +145,9 @@ TEST(snapshot, of_a_larger_game_is_refused_by_a_smaller_one) {
 TEST(snapshot, of_a_finished_game_stays_finished) {
   const SimulationConfig config = configWith(BroadPhase::ngrid);
   Snapshot scene = crowdScene(config, 100);
-  Master master = masterOf(scene);
-  master.frameTime_us = config.rules.budget.limit_us + 1;
-  std::memcpy(scene.master.data(), &master, sizeof master);
+  GameGlobals globals = globalsOf(scene);
+  globals.frameTime_us = config.rules.budget.limit_us + 1;
+  std::memcpy(scene.globals.data(), &globals, sizeof globals);
   const auto simulation = cpu::makeSimulation(config);
   simulation->restore(scene);
   EXPECT_EQ(play(*simulation, 1)[0].over, 1u);

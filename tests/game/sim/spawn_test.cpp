@@ -20,7 +20,7 @@ class spawn : public ::testing::Test {
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
 
-  spawn() { world.master.tick = kLateTick; }
+  spawn() { world.globals.tick = kLateTick; }
 
   // What logic would have ordered.
   void order(Command command) {
@@ -33,8 +33,8 @@ class spawn : public ::testing::Test {
     c.type = type;
     c.count = count;
     c.pattern = pattern;
-    c.x = world.master.ship.x;
-    c.y = world.master.ship.y;
+    c.x = world.globals.ship.x;
+    c.y = world.globals.ship.y;
     order(c);
   }
   EntityRecord& dying(uint32_t id, uint32_t type, uint32_t flags = 0) {
@@ -68,16 +68,16 @@ TEST_F(spawn, is_the_naive_version) {
   for (uint32_t seed = 0; seed < 24; ++seed) {
     SCOPED_TRACE(seed);
     world = fixture.emptyWorld();
-    world.master.seed = seed;
-    world.master.tick = kLateTick + seed;
+    world.globals.seed = seed;
+    world.globals.tick = kLateTick + seed;
     Dice dice(seed);
     addCrowd(world, 60, 20, 30, 30.0f, dice);
     Command salvo;
     salvo.type = kTypeShot;
     salvo.count = 2 + seed % 6;
     salvo.hits = 1 + seed % 3;
-    salvo.x = world.master.ship.x + 0.5f;
-    salvo.y = world.master.ship.y;
+    salvo.x = world.globals.ship.x + 0.5f;
+    salvo.y = world.globals.ship.y;
     salvo.angle_rad = dice.between(0.0f, 6.2f);
     salvo.spread_rad = seed % 2 ? 0.08f : 0.0f;
     order(salvo);
@@ -88,7 +88,7 @@ TEST_F(spawn, is_the_naive_version) {
     const auto is = run();
     naive::spawn(world);
     EXPECT_TRUE(same(is, world.records()));
-    EXPECT_TRUE(same(fixture.master(), world.master));
+    EXPECT_TRUE(same(fixture.globals(), world.globals));
   }
 }
 
@@ -120,7 +120,7 @@ TEST_F(spawn, newborn_enemies_are_announced_and_wander_towards_the_ship) {
     EXPECT_EQ(e.energy, 16.0f);
     EXPECT_EQ(e.mass, 8.0f);
     EXPECT_EQ(e.previous_x, e.x);
-    const float x = world.master.ship.x - e.x, y = world.master.ship.y - e.y;
+    const float x = world.globals.ship.x - e.x, y = world.globals.ship.y - e.y;
     EXPECT_NEAR(e.direction_x * y - e.direction_y * x, 0.0f, 1e-4f);
     EXPECT_GT(e.direction_x * x + e.direction_y * y, 0.0f);
   }
@@ -163,16 +163,16 @@ TEST_F(spawn, bits_that_do_not_fit_are_refused_and_counted) {
   for (uint32_t i = 0; i < kBitCapacity - 4; ++i) world.add(bitAt(rules, 10 + i, 20.0f, 20.0f));
   dying(2, kTriangle);
   dying(5, kHexagon);
-  world.master.refused = 100;
+  world.globals.refused = 100;
   const auto after = run();
   EXPECT_EQ(after.size(), size_t(kBitCapacity));
-  EXPECT_EQ(fixture.master().refused, 103u);
+  EXPECT_EQ(fixture.globals().refused, 103u);
   EXPECT_EQ(after[0].x, 52.0f);  // the lower parent comes first
   EXPECT_EQ(after[1].x, 55.0f);
 }
 
 TEST_F(spawn, nobody_is_born_or_leaves_once_the_game_is_over) {
-  world.master.over = 1;
+  world.globals.over = 1;
   dying(3, kTriangle);
   order(kTriangle, 5);
   EXPECT_TRUE(same(run(), world.records()));
@@ -188,13 +188,13 @@ void checkPlaces(const Rules& rules, float width_m, float height_m, float ship_x
   naive::World world;
   world.rules = rules;
   world.limits = tables.limits;
-  world.master.seed = seed;
-  world.master.tick = 60;
+  world.globals.seed = seed;
+  world.globals.tick = 60;
   Command c = command;
   c.x = ship_x;
   c.y = ship_y;
   for (uint32_t k = 0; k < c.count; ++k) {
-    const Float2 place = cpu::birthPlace(c, k, seed, 60, 0, tables);
+    const Float2 place = cpu::birthPosition(c, k, seed, 60, 0, tables);
     RC_ASSERT(place.x >= 1.2f);
     RC_ASSERT(place.x <= width_m - 1.2f);
     RC_ASSERT(place.y >= 1.2f);
@@ -245,7 +245,7 @@ TEST(spawn_places, differ_from_tick_to_tick_and_seed_to_seed) {
   std::set<std::pair<float, float>> places;
   for (uint64_t seed = 1; seed <= 3; ++seed) {
     for (uint32_t tick = 1; tick <= 3; ++tick) {
-      const Float2 p = cpu::birthPlace(c, 0, seed, tick, 0, tables);
+      const Float2 p = cpu::birthPosition(c, 0, seed, tick, 0, tables);
       places.insert({p.x, p.y});
     }
   }

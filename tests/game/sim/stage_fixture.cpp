@@ -49,14 +49,14 @@ naive::World StageFixture::emptyWorld() const {
   world.rules = config_.rules;
   world.limits = state_.limits();
   world.mode = config_.mode;
-  world.master = master();
+  world.globals = globals();
   return world;
 }
 
 void StageFixture::put(const naive::World& world) {
   Snapshot snapshot;
-  snapshot.master.resize(sizeof(Master));
-  std::memcpy(snapshot.master.data(), &world.master, sizeof(Master));
+  snapshot.globals.resize(sizeof(GameGlobals));
+  std::memcpy(snapshot.globals.data(), &world.globals, sizeof(GameGlobals));
   snapshot.entities = world.records();
   cpu::restoreSnapshot(queue_, state_, view_, snapshot);
 }
@@ -84,14 +84,14 @@ std::vector<EntityRecord> StageFixture::entities(bool afterThink, bool afterInte
   return found;
 }
 
-Master StageFixture::master() const {
-  return onlyOne(state_.master);
+GameGlobals StageFixture::globals() const {
+  return onlyOne(state_.globals);
 }
 TickScratch StageFixture::scratch() const {
   return onlyOne(state_.scratch);
 }
-void StageFixture::setMaster(const Master& master) {
-  state_.master.upload(&master, 1);
+void StageFixture::setGlobals(const GameGlobals& globals) {
+  state_.globals.upload(&globals, 1);
 }
 void StageFixture::setScratch(const TickScratch& scratch) {
   state_.scratch.upload(&scratch, 1);
@@ -120,11 +120,11 @@ void StageFixture::setInput(const InputRecord& input) {
   return ::testing::AssertionSuccess();
 }
 
-::testing::AssertionResult same(const Master& is, const Master& wanted) {
-  for (size_t offset = 0; offset < sizeof(Master); offset += 4) {
+::testing::AssertionResult same(const GameGlobals& is, const GameGlobals& wanted) {
+  for (size_t offset = 0; offset < sizeof(GameGlobals); offset += 4) {
     const uint32_t a = at<uint32_t>(&is, offset), b = at<uint32_t>(&wanted, offset);
     if (a == b) continue;
-    return ::testing::AssertionFailure() << "master, byte " << offset << ": " << a << " (" << at<float>(&is, offset)
+    return ::testing::AssertionFailure() << "globals, byte " << offset << ": " << a << " (" << at<float>(&is, offset)
                                          << "), not " << b << " (" << at<float>(&wanted, offset) << ")";
   }
   return ::testing::AssertionSuccess();

@@ -29,7 +29,7 @@ class StageFixture {
   // The world as the naive versions see it, empty, at the start of a game.
   naive::World emptyWorld() const;
 
-  // Puts the world's entities and master on the device, at the start of a tick.
+  // Puts the world's entities and globals on the device, at the start of a tick.
   void put(const naive::World& world);
   // The same, and what maintain and an idle think would leave.
   void begin(const naive::World& world);
@@ -38,9 +38,9 @@ class StageFixture {
   // run, else from `cells`, with forces from the side asked for. Dead cells are left out.
   std::vector<EntityRecord> entities(bool afterThink, bool afterIntegrate) const;
 
-  Master master() const;
+  GameGlobals globals() const;
   TickScratch scratch() const;
-  void setMaster(const Master& master);
+  void setGlobals(const GameGlobals& globals);
   void setScratch(const TickScratch& scratch);
   void setInput(const InputRecord& input);  // as autopilot would leave it
   std::vector<uint32_t> events() const { return state_.event.download(); }
@@ -60,6 +60,6 @@ class StageFixture {
 
 // Byte by byte, naming the first entity and field that differ.
 ::testing::AssertionResult same(const std::vector<EntityRecord>& is, const std::vector<EntityRecord>& wanted);
-::testing::AssertionResult same(const Master& is, const Master& wanted);
+::testing::AssertionResult same(const GameGlobals& is, const GameGlobals& wanted);
 
 }  // namespace gw::test

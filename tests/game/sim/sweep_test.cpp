@@ -89,7 +89,7 @@ RC_GTEST_PROP(sweep, no_shot_passes_an_enemy_in_the_game, ()) {
 
   StageFixture fixture(config);
   naive::World world = fixture.emptyWorld();
-  world.master.tick = kLateTick;
+  world.globals.tick = kLateTick;
   EntityRecord e = enemyAt(rules, 3, 0, x, y);
   e.velocity_x = number(-24.0f, 24.0f);
   e.velocity_y = number(-24.0f, 24.0f);

@@ -18,9 +18,9 @@ class think_group : public ::testing::Test {
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
   const Rules::Steering& steering = rules.steering;
-  const float ship_x = world.master.ship.x, ship_y = world.master.ship.y;
+  const float ship_x = world.globals.ship.x, ship_y = world.globals.ship.y;
 
-  think_group() { world.master.tick = kLateTick; }
+  think_group() { world.globals.tick = kLateTick; }
 
   std::vector<EntityRecord> run() {
     fixture.begin(world);
@@ -39,7 +39,7 @@ class think_group : public ::testing::Test {
 };
 
 TEST_F(think_group, a_group_draws_to_its_middle_and_turns_along_its_heading) {
-  world.master.ship.x = 180.0f;  // out of every enemy's sight
+  world.globals.ship.x = 180.0f;  // out of every enemy's sight
   const float x = 20.0f, y = 54.0f;
   EntityRecord& e = enemy(0, kVertex, x, y, State::grouping);
   e.direction_x = 0.0f;
@@ -73,7 +73,7 @@ TEST_F(think_group, an_attacking_group_asks_in_turns) {
   for (uint32_t tick = 0; tick < 4; ++tick) {
     SCOPED_TRACE(tick);
     world = fixture.emptyWorld();
-    world.master.tick = kLateTick + tick;
+    world.globals.tick = kLateTick + tick;
     enemy(0, kTexel, ship_x - 15.0f, ship_y, State::attacking).direction_x = -1.0f;
     enemy(1, kTexel, ship_x - 15.0f, ship_y + 3.0f, State::attacking);  // heading +x
     const float along = tick % 4 == 0 ? 1.0f : -1.0f;
@@ -87,7 +87,7 @@ TEST_F(think_group, an_attacking_group_asks_in_turns) {
 }
 
 TEST_F(think_group, the_pace_makes_all_faster_but_a_dodge) {
-  world.master.pace = 1.5f;
+  world.globals.pace = 1.5f;
   enemy(0, 0, ship_x - 15.0f, ship_y, State::attacking);
   enemy(1, kTexel, ship_x - 15.0f, ship_y + 10.0f, State::attacking);
   enemy(2, kCompute, ship_x - 15.0f, ship_y + 20.0f, State::attacking);
@@ -149,7 +149,7 @@ TEST_F(think_group, recovery_stops_at_full_energy) {
   config.rules.steering.recover_per_s = 1000.0f;
   StageFixture fast(config);
   world = fast.emptyWorld();
-  world.master.tick = kLateTick;
+  world.globals.tick = kLateTick;
   enemy(0, kCompute, ship_x - 10.0f, ship_y, State::escaping).energy = 1.0f;
   fast.begin(world);
   cpu::think(fast.queue(), fast.view());
@@ -183,16 +183,16 @@ TEST_F(think_group, the_fleeing_at_a_wall_right_before_the_ship_turn_to_its_long
     SCOPED_TRACE(part);
     const float longer = part < 0.5f ? 1.0f : -1.0f;
     world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
-    world.master.ship.x = part * width;
-    world.master.ship.y = 9.0f;
+    world.globals.tick = kLateTick;
+    world.globals.ship.x = part * width;
+    world.globals.ship.y = 9.0f;
     enemy(0, kFragment, part * width, 2.0f, State::escaping).energy = 1.0f;
     const EntityRecord below = run().at(0);
     EXPECT_EQ(below.direction_x, longer);
     EXPECT_EQ(below.direction_y, 0.0f);
     world.entities.clear();
-    world.master.ship.x = 9.0f;
-    world.master.ship.y = part * height;
+    world.globals.ship.x = 9.0f;
+    world.globals.ship.y = part * height;
     enemy(0, kFragment, 2.0f, part * height, State::escaping).energy = 1.0f;
     const EntityRecord beside = run().at(0);
     EXPECT_EQ(beside.direction_x, 0.0f);
@@ -204,7 +204,7 @@ TEST_F(think_group, the_fleeing_at_a_wall_right_before_the_ship_turn_to_its_long
 TEST_F(think_group, a_dodge_leaves_the_path_by_the_nearer_side) {
   for (const float side : {0.2f, -0.2f}) {
     world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
+    world.globals.tick = kLateTick;
     enemy(0, kTexel, 60.0f, 30.0f + side, State::wandering);
     world.add(shotAt(rules, 1, 55.0f, 30.0f, 0.0f));
     EntityRecord after = run().at(0);
@@ -232,7 +232,7 @@ TEST_F(think_group, in_the_very_middle_of_a_path_the_id_chooses_the_side) {
   for (const float heading : {1.0f, -1.0f}) {
     SCOPED_TRACE(heading);
     world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
+    world.globals.tick = kLateTick;
     for (uint32_t id = 0; id < 4; ++id) {
       const float y = 20.0f + 10.0f * float(id);
       enemy(id, kTexel, 60.0f, y, State::wandering);
@@ -260,7 +260,7 @@ TEST_F(think_group, only_shots_ahead_near_and_on_course_warn) {
                         {-4.0f, edge - 0.01f, 0.0f, true}, {-4.0f, edge + 0.01f, 0.0f, false}};
   for (const Case& c : cases) {
     world = fixture.emptyWorld();
-    world.master.tick = kLateTick;
+    world.globals.tick = kLateTick;
     enemy(0, kVertex, 60.0f, 30.0f, State::wandering);
     world.add(shotAt(rules, 1, 60.0f + c.dx, 30.0f + c.dy, c.angle));
     EXPECT_EQ(run().at(0).state == uint32_t(State::avoiding), c.warns) << c.dx << ", " << c.dy;

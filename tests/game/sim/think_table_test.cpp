@@ -94,9 +94,9 @@ void checkType(uint32_t type) {
           const bool turn = set & 32;
           if (avoided && State(state) != State::avoiding) continue;
           naive::World world = fixture.emptyWorld();
-          world.master.tick = turn ? kLateTick + 3 : kLateTick;  // with id 5
-          EntityRecord e = enemyAt(fixture.rules(), 5, type, world.master.ship.x + place.sights * rules.sight_m,
-                                   world.master.ship.y);
+          world.globals.tick = turn ? kLateTick + 3 : kLateTick;  // with id 5
+          EntityRecord e = enemyAt(fixture.rules(), 5, type, world.globals.ship.x + place.sights * rules.sight_m,
+                                   world.globals.ship.y);
           e.state = state;
           e.energy = rules.energy * health.share;
           e.flags = hit ? uint32_t(kFlagHit) : 0u;
@@ -151,8 +151,8 @@ TEST(think_table, the_kernel_finds_every_condition_of_a_tricky_one) {
 TEST(think_table, two_hits_in_a_row_are_checked_twice) {
   StageFixture fixture;
   naive::World world = fixture.emptyWorld();
-  world.master.tick = kLateTick;
-  EntityRecord e = enemyAt(fixture.rules(), 0, 1, world.master.ship.x + 10.0f, world.master.ship.y);
+  world.globals.tick = kLateTick;
+  EntityRecord e = enemyAt(fixture.rules(), 0, 1, world.globals.ship.x + 10.0f, world.globals.ship.y);
   e.state = uint32_t(State::checkingEnergy);
   e.flags = kFlagHit;
   world.add(e);

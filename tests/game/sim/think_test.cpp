@@ -14,7 +14,7 @@ class think : public ::testing::Test {
   naive::World world = fixture.emptyWorld();
   const Rules& rules = fixture.rules();
 
-  think() { world.master.tick = kLateTick; }
+  think() { world.globals.tick = kLateTick; }
 
   // Every entity after one think.
   std::vector<EntityRecord> run() {
@@ -28,8 +28,8 @@ TEST_F(think, is_the_naive_version_on_crowds) {
   for (uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     world = fixture.emptyWorld();
-    world.master.tick = kLateTick + seed;
-    world.master.seed = seed;
+    world.globals.tick = kLateTick + seed;
+    world.globals.seed = seed;
     Dice dice(seed);
     addCrowd(world, 150, 20, 60, 50.0f, dice);
     const auto is = run();
@@ -40,7 +40,7 @@ TEST_F(think, is_the_naive_version_on_crowds) {
 
 // F = m a: one tick of the force closes `response` of the gap to the wished velocity.
 TEST_F(think, an_attacker_closes_the_gap_to_full_speed_at_the_ship) {
-  EntityRecord e = enemyAt(rules, 0, 1, world.master.ship.x, world.master.ship.y + 10.0f);
+  EntityRecord e = enemyAt(rules, 0, 1, world.globals.ship.x, world.globals.ship.y + 10.0f);
   e.state = uint32_t(State::attacking);
   e.velocity_x = 2.0f;
   world.add(e);
@@ -52,7 +52,7 @@ TEST_F(think, an_attacker_closes_the_gap_to_full_speed_at_the_ship) {
 }
 
 TEST_F(think, a_damaged_attacker_is_a_quarter_faster) {
-  EntityRecord e = enemyAt(rules, 0, 1, world.master.ship.x - 10.0f, world.master.ship.y);
+  EntityRecord e = enemyAt(rules, 0, 1, world.globals.ship.x - 10.0f, world.globals.ship.y);
   e.state = uint32_t(State::attacking);
   e.energy -= 1.0f;
   world.add(e);
@@ -80,17 +80,17 @@ TEST_F(think, a_wanderer_drifts_at_most_so_far_a_tick_at_its_share_of_the_speed)
 }
 
 TEST_F(think, an_announced_enemy_only_stands_there) {
-  EntityRecord e = enemyAt(rules, 0, 0, world.master.ship.x + 3.0f, world.master.ship.y);
+  EntityRecord e = enemyAt(rules, 0, 0, world.globals.ship.x + 3.0f, world.globals.ship.y);
   e.birthTick = kLateTick - 29;
   e.flags = kFlagHit;
   world.add(e);
   EXPECT_TRUE(same(run(), {e}));
-  world.master.tick = kLateTick + 1;  // and no longer
+  world.globals.tick = kLateTick + 1;  // and no longer
   EXPECT_EQ(run().at(0).state, uint32_t(State::checkingEnergy));
 }
 
 TEST_F(think, bits_come_from_five_metres_and_are_taken_at_one) {
-  const float x = world.master.ship.x, y = world.master.ship.y;
+  const float x = world.globals.ship.x, y = world.globals.ship.y;
   const float distances[] = {0.0f, 1.0f, 1.001f, 5.0f, 5.001f};
   for (uint32_t i = 0; i < 5; ++i) world.add(bitAt(rules, i, x - distances[i], y));
   const auto after = run();
@@ -103,7 +103,7 @@ TEST_F(think, bits_come_from_five_metres_and_are_taken_at_one) {
 }
 
 TEST_F(think, nobody_thinks_once_the_game_is_over) {
-  world.master.over = 1;
+  world.globals.over = 1;
   Dice dice(3);
   addCrowd(world, 50, 5, 20, 10.0f, dice);
   EXPECT_TRUE(same(run(), world.records()));

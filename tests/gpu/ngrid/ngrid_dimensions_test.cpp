@@ -161,7 +161,7 @@ TYPED_TEST(FindDimensions, BalancesTheSteps) {
     EXPECT_NEAR(float(found.columns) / float(found.rows), 3.0f, 0.9f);
     // Measured by plain host code on a grid of these dimensions.
     const GridShape shape{found.columns, found.rows, found.slabs};
-    const auto settled = naive::upkeep(shape, padded(cells, found), test::Upkeep::settle).cells;
+    const auto settled = naive::upkeep(shape, padded(cells, found), test::Upkeep::sortUntilStable).cells;
     Steps steps{};
     for (int axis = 0; axis < (In::flat ? 2 : 3); ++axis) {
       steps.along[axis] = float(naive::meanStep(shape, settled, axis));
@@ -202,11 +202,11 @@ TEST(Steps, SayWhenDimensionsAreToBeFoundAgain) {
   Buffer<uint32_t> cellOf(queue, d.cells());
   auto places = test::makeCells({Layout::uniform, {40, 40}, 0, 8});
   cells.upload(places);
-  grid.settle(queue, cells.data(), cellOf.data());
+  grid.sortUntilStable(queue, cells.data(), cellOf.data());
   EXPECT_FALSE(grid.steps(queue, cells.data()).differBy(kStepsMayDiffer));
   for (Cell& cell : places) cell.y *= 0.25f;
   cells.upload(places);
-  grid.settle(queue, cells.data(), cellOf.data());
+  grid.sortUntilStable(queue, cells.data(), cellOf.data());
   const Steps steps = grid.steps(queue, cells.data());
   EXPECT_TRUE(steps.differBy(kStepsMayDiffer));
   const NDimensions next = balancedDimensions(1600, d, steps);

@@ -16,7 +16,7 @@ namespace {
 const Probes kDevice = cpu::probes();
 
 constexpr Upkeep kKinds[] = {Upkeep::maintain, Upkeep::rebuild, Upkeep::refresh,
-                             Upkeep::settle,   Upkeep::pack,    Upkeep::repack};
+                             Upkeep::sortUntilStable,   Upkeep::pack,    Upkeep::repack};
 
 template <class CellT>
 std::string check(GridShape shape, const std::vector<CellT>& cells, Upkeep upkeep, const ExecOptions& options = {2}) {
@@ -46,7 +46,7 @@ TYPED_TEST(NGridUpkeep, ArrangesEveryLayoutAsItsOracle) {
       const CellSpec spec{Layout(layout), shape, layout % 2 * 15, ++seed};
       for (Upkeep upkeep : kKinds) {
         // Hundreds of rounds, of which a plain oracle sorts all lines.
-        if (upkeep == Upkeep::settle && shape.cells() > 1000) continue;
+        if (upkeep == Upkeep::sortUntilStable && shape.cells() > 1000) continue;
         EXPECT_EQ(check(shape, In<TypeParam>::cells(spec), upkeep), "") << spec << ", upkeep " << uint32_t(upkeep);
       }
     }
@@ -107,7 +107,7 @@ TYPED_TEST(NGridUpkeep, BothFullSortsEndInAnOrderedGrid) {
   for (uint32_t layout = 0; layout < kLayouts; ++layout) {
     const auto cells = In<TypeParam>::cells({Layout(layout), shape, layout % 2 * 20, layout});
     // One has every line in order and so moves no more; the other has rows in order, and rows that follow each other.
-    const auto settled = In<TypeParam>::upkeep(kDevice)({1}, shape, cells, Upkeep::settle);
+    const auto settled = In<TypeParam>::upkeep(kDevice)({1}, shape, cells, Upkeep::sortUntilStable);
     EXPECT_EQ(settled.moved, 0u);
     EXPECT_EQ(naive::misaligned(shape, settled.cells), 0u) << layout;
     const auto built = In<TypeParam>::upkeep(kDevice)({1}, shape, cells, Upkeep::rebuild);
@@ -128,7 +128,7 @@ void arrangesAnything() {
   const CellSpec spec{Layout(*rc::gen::inRange(0u, kLayouts)), shape, *rc::gen::inRange(0u, 101u),
                       *rc::gen::arbitrary<uint64_t>()};
   const auto upkeep = *rc::gen::elementOf(std::vector<Upkeep>(std::begin(kKinds), std::end(kKinds)));
-  RC_PRE(upkeep != Upkeep::settle || shape.cells() < 600);
+  RC_PRE(upkeep != Upkeep::sortUntilStable || shape.cells() < 600);
   RC_ASSERT(check(shape, In<CellT>::cells(spec), upkeep, {1}) == "");
 }
 RC_GTEST_PROP(NGridUpkeepOf2, ArrangesAnythingAsItsOracle, ()) {

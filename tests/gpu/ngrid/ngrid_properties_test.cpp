@@ -37,7 +37,7 @@ const GridStateOf<CellT>& usedGrid() {
 template <class CellT>
 const GridStateOf<CellT>& settledGrid() {
   static const GridStateOf<CellT> grid = In<CellT>::upkeep(kDevice)(
-      {2}, kShape<CellT>, In<CellT>::cells({Layout::uniform, kShape<CellT>, 0, 13}), Upkeep::settle);
+      {2}, kShape<CellT>, In<CellT>::cells({Layout::uniform, kShape<CellT>, 0, 13}), Upkeep::sortUntilStable);
   return grid;
 }
 
@@ -105,7 +105,7 @@ TEST(NGridPropertyOf2, Number3ACellTakesItsEntitysSize) {
 TYPED_TEST(NGridProperty, Number4ACellTakesItsEntitysPlace) {
   auto cells = usedGrid<TypeParam>().cells;
   moveCells(cells, 2.0f, 99);
-  for (Upkeep upkeep : {Upkeep::maintain, Upkeep::transpose, Upkeep::refresh, Upkeep::pack, Upkeep::settle}) {
+  for (Upkeep upkeep : {Upkeep::maintain, Upkeep::transpose, Upkeep::refresh, Upkeep::pack, Upkeep::sortUntilStable}) {
     const auto after = In<TypeParam>::upkeep(kDevice)({2}, kShape<TypeParam>, cells, upkeep);
     for (const auto& cell : cells) {
       const auto& now = after.cells[after.cellOf[cell.id]];

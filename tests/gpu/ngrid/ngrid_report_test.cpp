@@ -30,12 +30,12 @@ TYPED_TEST(NGridReport, CountsTheMisalignedTheMovedAndTheSteps) {
   const GridShape shape = In::flat ? GridShape{44, 31} : GridShape{13, 11, 9};
   for (uint32_t layout = 0; layout < test::kLayouts; ++layout) {
     const auto cells = In::cells({Layout(layout), shape, layout % 2 * 20, layout + 1});
-    for (Upkeep upkeep : {Upkeep::maintain, Upkeep::transpose, Upkeep::rebuild, Upkeep::pack, Upkeep::settle}) {
+    for (Upkeep upkeep : {Upkeep::maintain, Upkeep::transpose, Upkeep::rebuild, Upkeep::pack, Upkeep::sortUntilStable}) {
       const test::GridReport report = In::report(probes())({2}, shape, cells, upkeep);
       const auto wanted = naive::upkeep(shape, cells, upkeep);
       EXPECT_EQ(report.moved, wanted.moved);
       EXPECT_EQ(report.misaligned, naive::misaligned(shape, wanted.cells)) << layout << ", " << uint32_t(upkeep);
-      if (upkeep == Upkeep::settle) {
+      if (upkeep == Upkeep::sortUntilStable) {
         EXPECT_EQ(report.misaligned, 0u);
         EXPECT_GT(report.rounds, 1u);
       } else {
@@ -56,7 +56,7 @@ TYPED_TEST(NGridReport, OfAMovingCrowdOddEvenLeavesMoreMisaligned) {
   const GridShape shape = In::flat ? GridShape{64, 64} : GridShape{16, 16, 16};
   const float reach = 30.0f / float(shape.rows);
   const auto share = [&](Upkeep upkeep) {
-    auto cells = In::upkeep(probes())({2}, shape, In::cells({Layout::uniform, shape, 0, 3}), Upkeep::settle).cells;
+    auto cells = In::upkeep(probes())({2}, shape, In::cells({Layout::uniform, shape, 0, 3}), Upkeep::sortUntilStable).cells;
     uint32_t misaligned = 0;
     for (uint32_t frame = 0; frame < 20; ++frame) {
       for (auto& cell : cells) {  // as moveCells(), but none dies
@@ -84,7 +84,7 @@ TEST(NGridRefusals, NameTheArgument) {
   cells.upload(test::makeCells({Layout::uniform, {8, 4}, 0, 1}));
   const auto before = cells.download();
   using Call = void (NGrid<Cell>::*)(Queue&, Cell*, uint32_t*);
-  for (Call call : {Call(&NGrid<Cell>::settle), Call(&NGrid<Cell>::rebuild), Call(&NGrid<Cell>::pack),
+  for (Call call : {Call(&NGrid<Cell>::sortUntilStable), Call(&NGrid<Cell>::rebuild), Call(&NGrid<Cell>::pack),
                     Call(&NGrid<Cell>::refresh)}) {
     EXPECT_EQ(refusal<std::invalid_argument>([&] { (packed.*call)(queue, nullptr, cellOf.data()); }),
               "d_cells is null; give the grid a buffer with a cell for each of its own.");
@@ -92,7 +92,7 @@ TEST(NGridRefusals, NameTheArgument) {
               "d_cellOf is null; give the grid a buffer with a word for each cell.");
   }
   EXPECT_NE(refusal<std::invalid_argument>([&] { grid.maintain(queue, nullptr, cellOf.data()); }), "not refused");
-  EXPECT_NE(refusal<std::invalid_argument>([&] { grid.report(queue, nullptr); }), "not refused");
+  EXPECT_NE(refusal<std::invalid_argument>([&] { grid.upkeepReport(queue, nullptr); }), "not refused");
   EXPECT_NE(refusal<std::invalid_argument>([&] { grid.steps(queue, nullptr); }), "not refused");
   EXPECT_NE(refusal<std::invalid_argument>([&] { grid.quarantine(queue, nullptr); }), "not refused");
   EXPECT_NE(refusal<std::invalid_argument>([&] { grid.transpose(queue, cells.data(), nullptr); }), "not refused");

@@ -114,8 +114,8 @@ struct KeptGrid {
         return grid.rebuild(queue, cells.data(), cellOf.data());
       case test::Upkeep::refresh:
         return grid.refresh(queue, cells.data(), cellOf.data());
-      case test::Upkeep::settle:
-        return grid.settle(queue, cells.data(), cellOf.data());
+      case test::Upkeep::sortUntilStable:
+        return grid.sortUntilStable(queue, cells.data(), cellOf.data());
       case test::Upkeep::transpose:
         return grid.transpose(queue, cells.data(), cellOf.data());
       case test::Upkeep::pack:
@@ -168,7 +168,7 @@ template <class CellT>
 test::GridReport report(const ExecOptions& options, test::GridShape shape, const std::vector<CellT>& start,
                         test::Upkeep upkeep) {
   KeptGrid<CellT> kept(options, shape, start, upkeep);
-  const UpkeepReport report = kept.grid.report(kept.queue, kept.cells.data());
+  const UpkeepReport report = kept.grid.upkeepReport(kept.queue, kept.cells.data());
   const Steps steps = kept.grid.steps(kept.queue, kept.cells.data());
   return {report.misaligned, report.moved, report.rounds, {steps.along[0], steps.along[1], steps.along[2]}};
 }

@@ -128,7 +128,7 @@ TYPED_TEST(WindowGatherOf, FindsWhatItsDefinitionSaysInEveryLayout) {
   for (const GridShape& shape : this->shapes()) {
     for (uint32_t layout = 0; layout < test::kLayouts; ++layout) {
       const CellSpec spec{Layout(layout), shape, layout % 3 * 20, ++seed};
-      for (const Upkeep upkeep : {Upkeep::transpose, Upkeep::maintain, Upkeep::rebuild, Upkeep::settle}) {
+      for (const Upkeep upkeep : {Upkeep::transpose, Upkeep::maintain, Upkeep::rebuild, Upkeep::sortUntilStable}) {
         const auto cells = kept<TypeParam>(spec, upkeep);
         for (const float radius : {0.0f, 1e-30f, 0.5f, 12.0f, 1e30f, kInfinity}) {
           SCOPED_TRACE(testing::Message() << spec << " upkeep " << uint32_t(upkeep) << " radius " << radius);
@@ -261,7 +261,7 @@ TEST(WindowGather, FindsNearlyAllOnASettledUniformGrid) {
   const NDimensions d = chooseWindowDimensions(8192, {1.0f, 1.0f, 0.0f});
   const GridShape shape{d.columns, d.rows};
   const float radius = std::sqrt(20.0f / 3.14159265f * 1.0e4f / 8192.0f);
-  const auto settled = kept({Layout::uniform, shape, 0, 21}, Upkeep::settle);
+  const auto settled = kept({Layout::uniform, shape, 0, 21}, Upkeep::sortUntilStable);
   const auto packed = kept({Layout::uniform, shape, 0, 21}, Upkeep::rebuild);
   const Recall fixed = recallOf(FixedGather{viewOf(shape, settled)}, settled, radius);
   const Recall adaptive = recallOf(AdaptiveGather{viewOf(shape, settled)}, settled, radius);
@@ -273,7 +273,7 @@ TEST(WindowGather, FindsNearlyAllOnASettledUniformGrid) {
   EXPECT_GT(fixed.found, 0.97);
   EXPECT_GT(adaptive.found, 0.8);
   EXPECT_LT(adaptive.tested, fixed.tested);
-  EXPECT_LT(onPacked.found, 0.8);  // why windows start from settle(), not from rebuild()
+  EXPECT_LT(onPacked.found, 0.8);  // why windows start from sortUntilStable(), not from rebuild()
 }
 
 }  // namespace

@@ -30,13 +30,13 @@ std::unique_ptr<Simulation> makeScene(const SimulationConfig& config, float ship
                                       const std::vector<Place>& places) {
   auto simulation = cpu::makeSimulation(config);
   Snapshot scene = simulation->snapshot();
-  Master master;
-  std::memcpy(&master, scene.master.data(), sizeof master);
-  master.tick = kLate_ticks;
-  master.ship.x = master.ship.previous_x = ship_x;
-  master.ship.y = master.ship.previous_y = ship_y;
-  master.ship.untouchable_ticks = 1u << 30;
-  std::memcpy(scene.master.data(), &master, sizeof master);
+  GameGlobals globals;
+  std::memcpy(&globals, scene.globals.data(), sizeof globals);
+  globals.tick = kLate_ticks;
+  globals.ship.x = globals.ship.previous_x = ship_x;
+  globals.ship.y = globals.ship.previous_y = ship_y;
+  globals.ship.untouchable_ticks = 1u << 30;
+  std::memcpy(scene.globals.data(), &globals, sizeof globals);
   for (const Place& place : places) {
     const EnemyRules& rules = config.rules.enemies[place.type];
     EntityRecord e{};

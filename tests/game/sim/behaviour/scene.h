@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "game/sim/master.h"
+#include "game/sim/game_globals.h"
 #include "game/sim/simulation.h"
 
 namespace gw::test {

@@ -1,4 +1,4 @@
-// What the master logic thread owns: the globals of the game and last tick's totals. Plain data, laid out
+// What logic owns: the globals of the game and last tick's totals. Plain data, laid out
 // without padding (it is hashed and kept in snapshots word by word).
 #pragma once
 
@@ -46,7 +46,7 @@ struct Ship {
   uint32_t fire_ticks = 0;  // until the next salvo
 };
 
-struct Master {
+struct GameGlobals {
   uint64_t seed = 0;
   uint64_t score = 0;
   uint64_t kills = 0;
@@ -78,7 +78,7 @@ struct Master {
   uint32_t killsByType[kMaxEnemyTypes] = {};
   uint32_t reserved = 0;
 };
-static_assert(sizeof(Master) % sizeof(uint64_t) == 0);
+static_assert(sizeof(GameGlobals) % sizeof(uint64_t) == 0);
 
 // A range of births: what logic asks spawn for.
 struct Command {
