@@ -21,7 +21,7 @@ const std::filesystem::path& assetFolder() {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  gw::test::folder = gw::findAssets(GW_SOURCE_ASSETS);
+  gw::test::folder = gw::findAssets(GW_ASSETS_DIR);
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]) != "--assets" || i + 1 == argc) {
       std::fprintf(stderr, "usage: parity_test [--assets DIR] [--gtest_...]\n");

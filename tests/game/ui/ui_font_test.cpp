@@ -19,7 +19,7 @@ class UiFontTest : public ::testing::Test {
     folder = fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::create_directories(folder / "fonts");
     for (const char* name : {"fonts/neon.json", "fonts/neon.png"}) {
-      fs::copy_file(fs::path(GW_SOURCE_ASSETS) / name, folder / name, fs::copy_options::overwrite_existing);
+      fs::copy_file(fs::path(GW_ASSETS_DIR) / name, folder / name, fs::copy_options::overwrite_existing);
     }
   }
   void TearDown() override { fs::remove_all(folder); }

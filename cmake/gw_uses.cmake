@@ -1,0 +1,16 @@
+# What programs of tests and benches need beside their libraries: gw_uses(TARGET [ASSETS] [RAPIDCHECK])
+#   ASSETS      defines GW_ASSETS_DIR, the asset folder of the sources
+#   RAPIDCHECK  properties that are tested on random values
+function(gw_uses target)
+  cmake_parse_arguments(PARSE_ARGV 1 uses "ASSETS;RAPIDCHECK" "" "")
+  if(uses_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "gw_uses(${target}) does not know ${uses_UNPARSED_ARGUMENTS}: use ASSETS or RAPIDCHECK.")
+  endif()
+  if(uses_ASSETS)
+    target_compile_definitions(${target} PRIVATE GW_ASSETS_DIR="${PROJECT_SOURCE_DIR}/assets")
+  endif()
+  if(uses_RAPIDCHECK)
+    target_include_directories(${target} SYSTEM PRIVATE ${GW_RAPIDCHECK_INCLUDE_DIR})
+    target_link_libraries(${target} PRIVATE ${GW_RAPIDCHECK_LIBRARY})
+  endif()
+endfunction()
