@@ -152,12 +152,12 @@ GlProgram makeGlProgram(const std::filesystem::path& assets, const std::string& 
   return program;
 }
 
-void checkGl(const char* doing) {
+void checkGl(const char* doing, const char* what) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
   while (glGetError() != GL_NO_ERROR) {
   }
-  throw std::runtime_error(std::string("OpenGL failed while ") + doing + " (" + glErrorName(error) +
+  throw std::runtime_error(std::string("OpenGL failed while ") + doing + what + " (" + glErrorName(error) +
                            "): update the graphics driver, or run with --headless.");
 }
 

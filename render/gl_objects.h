@@ -66,8 +66,8 @@ GlFramebuffer makeGlFramebuffer(const GlTexture& colour);
 GlProgram makeGlProgram(const std::filesystem::path& assets, const std::string& vertexShader,
                         const std::string& fragmentShader, const std::string& defines = {});
 
-// Throws std::runtime_error when a GL call since the last check failed; doing says what we were at, e.g.
-// "drawing the sprites". Once per pass: cheap, and no error stays unseen.
-void checkGl(const char* doing);
+// Throws std::runtime_error when a GL call since the last check failed. doing and what name the operation in the
+// message, e.g. "drawing " and "the sprites". Cheap enough for one call per pass.
+void checkGl(const char* doing, const char* what = "");
 
 }  // namespace gw

@@ -5,18 +5,12 @@
 #include <cmath>
 
 #include "render/gl_group.h"
+#include "render/instanced_pass.h"
 
 namespace gw {
 namespace {
 
-enum Uniform : GLint {
-  kCamera = 0,
-  kWorld = 1,
-  kLines = 2,
-  kMood = 3,
-  kCuts = 4,
-  kBends = 8
-};  // locations in grid.vert
+enum Uniform : GLint { kWorld = 1, kLines = 2, kMood = 3, kCuts = 4, kBends = 8 };  // locations in grid.vert
 
 constexpr float kStep_m = 4;  // as in grid.vert
 constexpr int kWalls = 4;
@@ -56,9 +50,8 @@ void GridPass::draw(const GridFrame& frame) {
   glClear(GL_COLOR_BUFFER_BIT);
 
   glUseProgram(program_.get());
-  glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);
-  glUniform4f(kWorld, frame.worldWidth_m, frame.worldHeight_m, float(frame.target.height) / (2 * camera.halfHeight_m),
-              0);
+  setCamera(camera);
+  glUniform4f(kWorld, frame.worldWidth_m, frame.worldHeight_m, pixelsPerMetre(camera, frame.target), 0);
   glUniform3i(kCuts, pieces, bands, bends);
   std::array<float, 2 * 4 * kMaxGridBends> packed{};
   for (int i = 0; i < bends; ++i) {

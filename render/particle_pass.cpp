@@ -7,42 +7,26 @@
 namespace gw {
 namespace {
 
-enum Uniform : GLint { kCamera = 0, kView = 1 };  // locations in particle.vert
-enum Attribute : GLuint { kPlaces = 0, kSizeLight = 1, kLook = 2 };
-constexpr GLuint kInstances = 0;  // the one binding all attributes come from
+enum Uniform : GLint { kView = 1 };  // locations in particle.vert
+
+const PassLayout kLayout{"particle",
+                         "the particles",
+                         {{VertexAttribute::Type::real, 4, offsetof(ParticleVertex, x)},
+                          {VertexAttribute::Type::real, 2, offsetof(ParticleVertex, size_m)},
+                          {VertexAttribute::Type::integer, 1, offsetof(ParticleVertex, colour)}}};
 
 }  // namespace
 
-ParticlePass::ParticlePass(const std::filesystem::path& assets)
-    : program_(makeGlProgram(assets, "shaders/particle.vert", "shaders/particle.frag")),
-      vertexArray_(makeGlVertexArray()) {
-  const GLuint array = vertexArray_.get();
-  glVertexArrayAttribFormat(array, kPlaces, 4, GL_FLOAT, GL_FALSE, offsetof(ParticleVertex, x));
-  glVertexArrayAttribFormat(array, kSizeLight, 2, GL_FLOAT, GL_FALSE, offsetof(ParticleVertex, size_m));
-  glVertexArrayAttribIFormat(array, kLook, 1, GL_UNSIGNED_INT, offsetof(ParticleVertex, colour));
-  for (GLuint attribute : {kPlaces, kSizeLight, kLook}) {
-    glEnableVertexArrayAttrib(array, attribute);
-    glVertexArrayAttribBinding(array, attribute, kInstances);
-  }
-  glVertexArrayBindingDivisor(array, kInstances, 1);
-  checkGl("preparing the particles");
-}
+ParticlePass::ParticlePass(const std::filesystem::path& assets) : pass_(assets, kLayout) {}
 
 void ParticlePass::draw(const ParticleRegion& region, const ParticleFrame& frame) {
   const GlGroup group("particles");
-  const Camera& camera = frame.camera;
-  glUseProgram(program_.get());
-  glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);
-  glUniform2f(kView, float(frame.target.height) / (2 * camera.halfHeight_m), frame.brightness);
-
+  glUseProgram(pass_.program());
+  setCamera(frame.camera);
+  glUniform2f(kView, pixelsPerMetre(frame.camera, frame.target), frame.brightness);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  glBindVertexArray(vertexArray_.get());
-  glVertexArrayVertexBuffer(vertexArray_.get(), kInstances, region.vertexBuffer, GLintptr(region.vertexOffset_bytes),
-                            sizeof(ParticleVertex));
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, region.commandBuffer);
-  glDrawArraysIndirect(GL_TRIANGLES, reinterpret_cast<const void*>(region.commandOffset_bytes));
-  checkGl("drawing the particles");
+  pass_.draw(GL_TRIANGLES, region);
 }
 
 }  // namespace gw

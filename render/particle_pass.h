@@ -1,11 +1,9 @@
-// Draws particles: short streaks of light, added to what is there. They lie under everything that lives.
+// Draws particles: short streaks of light, blended additively, below all entities.
 #pragma once
 
 #include <filesystem>
 
-#include "render/camera.h"
-#include "render/gl_objects.h"
-#include "render/vertex_stream.h"
+#include "render/instanced_pass.h"
 
 namespace gw {
 
@@ -23,8 +21,7 @@ class ParticlePass {
   void draw(const ParticleRegion& region, const ParticleFrame& frame);
 
  private:
-  GlProgram program_;
-  GlVertexArray vertexArray_;
+  InstancedPass<ParticleVertex> pass_;
 };
 
 }  // namespace gw

@@ -10,9 +10,6 @@ namespace gw {
 namespace {
 
 enum Uniform : GLint { kPerPixel = 0 };  // locations in quad.vert
-enum Attribute : GLuint { kPlace = 0, kTint = 1 };
-constexpr GLuint kVertices = 0;
-constexpr size_t kFirstCapacity = 4096;  // vertices: a screen of bars without growing
 
 uint32_t byteOf(float share) {
   return uint32_t(std::clamp(share, 0.0f, 1.0f) * 255 + .5f);
@@ -24,17 +21,14 @@ uint32_t packRgba(const Rgba& colour) {
 
 }  // namespace
 
-QuadPass::QuadPass(const std::filesystem::path& assets)
-    : program_(makeGlProgram(assets, "shaders/quad.vert", "shaders/quad.frag")), vertexArray_(makeGlVertexArray()) {
-  const GLuint array = vertexArray_.get();
-  glVertexArrayAttribFormat(array, kPlace, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, x_px));
-  glVertexArrayAttribFormat(array, kTint, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, rgba));
-  for (GLuint attribute : {kPlace, kTint}) {
-    glEnableVertexArrayAttrib(array, attribute);
-    glVertexArrayAttribBinding(array, attribute, kVertices);
-  }
-  vertices_.reserve(kFirstCapacity);
+PassLayout QuadPass::layout() {
+  return {"quad",
+          "the user interface",
+          {{VertexAttribute::Type::real, 2, offsetof(Vertex, x_px)},
+           {VertexAttribute::Type::colour, 4, offsetof(Vertex, rgba)}}};
 }
+
+QuadPass::QuadPass(const std::filesystem::path& assets) : pass_(assets, layout()) {}
 
 void QuadPass::push(float x_px, float y_px, Rgba colour) {
   vertices_.push_back({x_px, y_px, packRgba(colour)});
@@ -82,23 +76,12 @@ void QuadPass::line(float x0_px, float y0_px, float x1_px, float y1_px, float wi
 void QuadPass::flush(PixelSize target) {
   if (vertices_.empty()) return;
   const GlGroup group("user interface");
-  if (vertices_.size() > bufferCapacity_) {
-    bufferCapacity_ = std::max(kFirstCapacity, vertices_.size() * 2);
-    buffer_ = makeGlBuffer(bufferCapacity_ * sizeof(Vertex), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    glVertexArrayVertexBuffer(vertexArray_.get(), kVertices, buffer_.get(), 0, sizeof(Vertex));
-  }
-  // Orphaning first: the driver then need not wait until the previous flush has been drawn.
-  glInvalidateBufferData(buffer_.get());
-  glNamedBufferSubData(buffer_.get(), 0, GLsizeiptr(vertices_.size() * sizeof(Vertex)), vertices_.data());
-
-  glUseProgram(program_.get());
+  glUseProgram(pass_.program());
   glUniform2f(kPerPixel, 2.0f / float(target.width), 2.0f / float(target.height));
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glBindVertexArray(vertexArray_.get());
-  glDrawArrays(GL_TRIANGLES, 0, GLsizei(vertices_.size()));
+  pass_.draw(vertices_);
   vertices_.clear();
-  checkGl("drawing the user interface");
 }
 
 }  // namespace gw

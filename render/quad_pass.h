@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "render/camera.h"
-#include "render/gl_objects.h"
+#include "render/instanced_pass.h"
 
 namespace gw {
 
@@ -34,10 +33,9 @@ class QuadPass {
   };
   void push(float x_px, float y_px, Rgba colour);
 
-  GlProgram program_;
-  GlVertexArray vertexArray_;
-  GlBuffer buffer_;  // grown when more is collected than ever before
-  size_t bufferCapacity_ = 0;
+  static PassLayout layout();
+
+  TrianglePass<Vertex> pass_;
   std::vector<Vertex> vertices_;
 };
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 
 #include "render/gl_group.h"
+#include "render/instanced_pass.h"
 
 namespace gw {
 namespace {
 
-enum Uniform : GLint { kCamera = 0, kRing = 1, kReach = 2, kTint = 3 };  // locations in ring.vert and ring.frag
+enum Uniform : GLint { kRing = 1, kReach = 2, kTint = 3 };  // locations in ring.vert and ring.frag
 
 constexpr int kSteps = 96;  // a circle as high as the screen then bends less than a pixel per step
 
@@ -21,10 +22,10 @@ void RingPass::draw(const Ring& ring, const Camera& camera, PixelSize target) {
   const GlGroup group("ring");
   constexpr float kLeast_m = 1e-3f;  // the shader divides by the reach
   glUseProgram(program_.get());
-  glUniform4f(kCamera, camera.centre_x, camera.centre_y, 1 / camera.halfWidth_m, 1 / camera.halfHeight_m);
+  setCamera(camera);
   glUniform4f(kRing, ring.x, ring.y, ring.radius_m, float(kSteps));
   glUniform4f(kReach, std::max(ring.inside_m, kLeast_m), std::max(ring.outside_m, kLeast_m),
-              float(target.height) / (2 * camera.halfHeight_m), 0);
+              pixelsPerMetre(camera, target), 0);
   glUniform4f(kTint, ring.colour.red, ring.colour.green, ring.colour.blue, ring.colour.alpha);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);

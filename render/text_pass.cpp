@@ -17,23 +17,20 @@ uint32_t pack(Rgba colour) {
 
 }  // namespace
 
+PassLayout TextPass::layout() {
+  return {"text",
+          "text",
+          {{VertexAttribute::Type::real, 4, offsetof(Instance, left_px)},
+           {VertexAttribute::Type::real, 4, offsetof(Instance, u0)},
+           {VertexAttribute::Type::real, 3, offsetof(Instance, unit_px)},
+           {VertexAttribute::Type::colour, 4, offsetof(Instance, rgba)}}};
+}
+
 TextPass::TextPass(const std::filesystem::path& assets)
     : font_(loadTextFont(assets)),
-      program_(makeGlProgram(assets, "shaders/text.vert", "shaders/text.frag")),
-      atlas_(makeGlTexture(font_.atlasSize, GL_R8, GL_RED, font_.atlas.data())),
-      vertexArray_(makeGlVertexArray()) {
-  const GLuint array = vertexArray_.get();
-  const auto attribute = [&](GLuint index, GLint count, GLenum type, GLboolean normalised, size_t offset) {
-    glEnableVertexArrayAttrib(array, index);
-    glVertexArrayAttribFormat(array, index, count, type, normalised, GLuint(offset));
-    glVertexArrayAttribBinding(array, index, 0);
-  };
-  attribute(0, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, left_px));
-  attribute(1, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, u0));
-  attribute(2, 3, GL_FLOAT, GL_FALSE, offsetof(Instance, unit_px));
-  attribute(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Instance, rgba));
-  glVertexArrayBindingDivisor(array, 0, 1);
-  glProgramUniform1f(program_.get(), glGetUniformLocation(program_.get(), "range"), font_.range);
+      pass_(assets, layout()),
+      atlas_(makeGlTexture(font_.atlasSize, GL_R8, GL_RED, font_.atlas.data())) {
+  glProgramUniform1f(pass_.program(), glGetUniformLocation(pass_.program(), "range"), font_.range);
   checkGl("preparing text");
 }
 
@@ -61,26 +58,17 @@ void TextPass::add(std::string_view text, float x_px, float baseline_px, const T
 void TextPass::flush(PixelSize target) {
   if (instances_.empty()) return;
   const GlGroup group("text");
-  if (instances_.size() > bufferCapacity_) {
-    bufferCapacity_ = std::max<size_t>(1024, instances_.size() * 2);
-    buffer_ = makeGlBuffer(bufferCapacity_ * sizeof(Instance), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    glVertexArrayVertexBuffer(vertexArray_.get(), 0, buffer_.get(), 0, sizeof(Instance));
-  }
-  glNamedBufferSubData(buffer_.get(), 0, GLsizeiptr(instances_.size() * sizeof(Instance)), instances_.data());
-
-  const GLuint program = program_.get();
+  const GLuint program = pass_.program();
   glProgramUniform2f(program, glGetUniformLocation(program, "target"), float(target.width), float(target.height));
   glUseProgram(program);
   glBindTextureUnit(0, atlas_.get());
-  glBindVertexArray(vertexArray_.get());
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // the strokes cover, their glow adds
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(instances_.size()));
+  pass_.draw(GL_TRIANGLE_STRIP, 4, instances_);
   glDisable(GL_BLEND);
   glBindVertexArray(0);
   instances_.clear();
-  checkGl("drawing text");
 }
 
 }  // namespace gw

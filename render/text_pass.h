@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/camera.h"
-#include "render/gl_objects.h"
+#include "render/instanced_pass.h"
 #include "render/text_font.h"
 
 namespace gw {
@@ -44,12 +43,11 @@ class TextPass {
     uint32_t rgba;  // bytes red, green, blue, alpha
   };
 
+  static PassLayout layout();
+
   TextFont font_;
-  GlProgram program_;
+  InstancedPass<Instance> pass_;
   GlTexture atlas_;
-  GlVertexArray vertexArray_;
-  GlBuffer buffer_;  // grown when more is collected than ever before
-  size_t bufferCapacity_ = 0;
   std::vector<Instance> instances_;
 };
 
