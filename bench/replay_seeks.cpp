@@ -1,6 +1,6 @@
 // How long going to a tick of a replay takes, as a viewer waits for it:
 //
-//   gw_bench_replay_seeks FILE [SEEKS]     random ticks (40), after the scout has been through; seconds on stdout
+//   gw_bench_replay_seeks FILE [SEEKS]     random ticks (40), after the prefetch thread has finished; seconds on stdout
 #include <time.h>
 
 #include <algorithm>
@@ -12,24 +12,9 @@
 
 #include "game/replay/replay_reader.h"
 #include "game/replay_viewer/replay_viewer.h"
+#include "host/platform/clock.h"
 
 using namespace gw;
-
-namespace {
-
-// Of all threads: says the same on a machine that is busy with other things.
-double processTime_s() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return double(time.tv_sec) + double(time.tv_nsec) / 1e9;
-}
-
-double now_s() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 2) {
@@ -41,21 +26,21 @@ int main(int argc, char** argv) {
     const Replay replay = readReplay(argv[1]);
     SimulationConfig config = replayConfig(replay);
     config.particles = true;
-    SimulationConfig scout = config;
-    scout.threads = 1;
-    scout.particles = false;
+    SimulationConfig prefetch = config;
+    prefetch.threads = 1;
+    prefetch.particles = false;
     const double begun_s = now_s();
-    ReplayViewer viewer(replay, cpu::makeSimulation(config), [&] { return cpu::makeSimulation(scout); });
-    while (!viewer.scouted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    std::printf("%s: %u ticks, scouted in %.1f s, %zu moments of %.1f MiB\n", argv[1], replay.ticks(),
-                now_s() - begun_s, viewer.moments().count(), double(viewer.moments().bytes()) / (1 << 20));
+    ReplayViewer viewer(replay, cpu::makeSimulation(config), [&] { return cpu::makeSimulation(prefetch); });
+    while (!viewer.prefetched()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::printf("%s: %u ticks, prefetched in %.1f s, %zu snapshots of %.1f MiB\n", argv[1], replay.ticks(),
+                now_s() - begun_s, viewer.cache().count(), double(viewer.cache().bytes()) / (1 << 20));
     std::mt19937 dice(1);
     std::vector<double> took_s, back_s, work_s;
     uint32_t worstTick = 0;
     const auto go = [&](uint32_t tick) {
       const double start_s = now_s();
       viewer.seek(tick);
-      while (!viewer.work(1000)) {
+      while (!viewer.continueSeek(1000)) {
       }
       return now_s() - start_s;
     };

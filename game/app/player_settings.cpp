@@ -6,27 +6,24 @@ namespace gw {
 
 namespace {
 
-void say(const std::vector<std::string>& sentences) {
+void print(const std::vector<std::string>& sentences) {
   for (const std::string& sentence : sentences) std::fprintf(stderr, "%s\n", sentence.c_str());
 }
 
 }  // namespace
 
-SettingsFile settingsFileOf(const Options& options) {
-  return SettingsFile(options.settingsPath.empty() ? usualSettingsPath() : options.settingsPath);
-}
-
-Settings readPlayerSettings(SettingsFile& file) {
+PlayerSettings::PlayerSettings(const Options& options)
+    : file(options.settingsPath.empty() ? usualSettingsPath() : options.settingsPath) {
   std::vector<std::string> sentences;
-  const Settings settings = file.read(sentences);
-  say(sentences);
-  return settings;
+  now = file.read(sentences);
+  print(sentences);
 }
 
-void writePlayerSettings(SettingsFile& file, const Settings& before, const Settings& now) {
+void PlayerSettings::write(const Settings& before) {
+  if (now == before) return;
   std::vector<std::string> sentences;
   file.write(before, now, sentences);
-  say(sentences);
+  print(sentences);
 }
 
 }  // namespace gw

@@ -1,4 +1,4 @@
-// The settings file for the commands that open a window; whatever is wrong with it is said on stderr.
+// The player's settings and their file, for the sessions with a window. Problems with the file are printed on stderr.
 #pragma once
 
 #include "game/cli/command_line.h"
@@ -6,10 +6,15 @@
 
 namespace gw {
 
-// The file that --settings names, or the usual one.
-SettingsFile settingsFileOf(const Options& options);
+struct PlayerSettings {
+  // Reads the file that --settings names, or the default one.
+  explicit PlayerSettings(const Options& options);
 
-Settings readPlayerSettings(SettingsFile& file);
-void writePlayerSettings(SettingsFile& file, const Settings& before, const Settings& now);
+  // Writes what has changed since `before`, if anything has.
+  void write(const Settings& before);
+
+  SettingsFile file;
+  Settings now;
+};
 
 }  // namespace gw

@@ -64,7 +64,7 @@ void Audio::setVolumes(const Settings::Sound& settings) {
 
 void Audio::setMuted(bool muted) {
   if (muted_ && !muted) tried_ = false;
-  muted_ = muted;
+  muted_ = settings_.muted = muted;
 }
 
 void Audio::open() {

@@ -32,6 +32,8 @@ class Audio {
   // Unmuting tries a device that was missing or lost once more.
   void setMuted(bool muted);
   bool muted() const { return muted_; }
+  // As the player chose in the settings or by key; --mute is not such a choice.
+  bool mutedByPlayer() const { return settings_.muted; }
 
   static void sayOnStderr(const std::string& sentence);
 

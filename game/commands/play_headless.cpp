@@ -1,5 +1,4 @@
 // gpuwars play --headless: ticks as fast as they come, and a summary.
-#include <chrono>
 #include <cstdio>
 
 #include "game/commands/commands.h"
@@ -9,10 +8,11 @@
 #include "game/ui/hud.h"
 #include "game/ui/mode_choice.h"
 #include "game/ui/tick_text.h"
-#include "game/view/camera.h"
-#include "game/view/picture_maker.h"
+#include "game/view/follow_camera.h"
+#include "game/view/offscreen_renderer.h"
 #include "gpu/exec/kernel_count.h"
 #include "host/platform/atomic_file.h"
+#include "host/platform/clock.h"
 #include "host/platform/interrupt.h"
 #include "host/platform/number_format.h"
 #include "host/video/picture_file.h"
@@ -20,8 +20,6 @@
 namespace gw {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr uint32_t kSampleEvery_ticks = 60;  // of the candidates: a search of its own, not timed
 
@@ -39,7 +37,7 @@ Measured runTicks(Run& run, const Options& options, HashFile& hashes) {
   uint32_t queued = 0;
   while (!run.over() && run.last().tick < options.ticks && !interrupted()) {
     const uint32_t stop = std::min(options.ticks, (run.last().tick / kSampleEvery_ticks + 1) * kSampleEvery_ticks);
-    const Clock::time_point start = Clock::now();
+    const double start_s = now_s();
     while (run.last().tick < stop && !run.over()) {
       while (queued < stop && run.queued() < Simulation::kTicksInFlight) {
         run.queue({});
@@ -48,7 +46,7 @@ Measured runTicks(Run& run, const Options& options, HashFile& hashes) {
       if (run.collect()) hashes.write(run.last().tick, run.last().hash);
     }
     while (run.queued() > 0) run.collect();
-    measured.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    measured.seconds += now_s() - start_s;
     if (!run.over()) {
       const CandidateCount count = run.simulation().countCandidates();
       measured.candidates.tested += count.tested;
@@ -113,7 +111,7 @@ void printSummary(Run& run, const RunFactory& factory, const Options& options, u
 }
 
 void takePicture(Run& run, const RunFactory& factory, const Options& options) {
-  PictureMaker maker({int(options.width_px), int(options.height_px)}, factory.assets(), run.simulation());
+  OffscreenRenderer maker({int(options.width_px), int(options.height_px)}, factory.assets(), run.simulation());
   FollowCamera camera(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
   camera.snap(cameraTarget(run.last(), 1), maker.aspect());
   const Image image = maker.draw(run, factory.rules(), camera, 1, [&](Canvas& canvas) {

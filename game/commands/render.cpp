@@ -1,7 +1,6 @@
 // gpuwars render FILE --out OUT: pictures or a film of a run. Every tick's hash is compared on the way.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 
 #include "game/commands/commands.h"
@@ -11,8 +10,9 @@
 #include "game/session/replay_file.h"
 #include "game/ui/hud.h"
 #include "game/view/frame_times.h"
-#include "game/view/picture_maker.h"
+#include "game/view/offscreen_renderer.h"
 #include "host/platform/asset_folder.h"
+#include "host/platform/clock.h"
 #include "host/platform/interrupt.h"
 #include "host/platform/number_format.h"
 #include "host/platform/user_error.h"
@@ -21,8 +21,6 @@
 namespace gw {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 FrameRange rangeOf(const Options& options, const Replay& replay) {
   FrameRange range;
@@ -81,7 +79,7 @@ class Filming {
 
   const SimulationConfig& config_;
   Run& run_;
-  PictureMaker maker_;
+  OffscreenRenderer maker_;
   FollowCamera camera_;
   bool hud_;
 };
@@ -104,7 +102,7 @@ ExitCode renderReplay(const Options& options) {
   Filming filming(options, config, player.run());
   const std::unique_ptr<FrameSink> sink = openFrameSink(options.outPath, size, range.framesPerSecond);
 
-  const Clock::time_point start = Clock::now();
+  const double start_s = now_s();
   uint64_t frames = 0;
   {
     Progress progress("tick", range.to);
@@ -115,7 +113,7 @@ ExitCode renderReplay(const Options& options) {
     }
   }
   sink->finish();
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = now_s() - start_s;
 
   std::printf("%s: %s of %s %s, %ux%u, ticks %u to %u, in %s s\n", options.outPath.c_str(), withCommas(frames).c_str(),
               withCommas(frameCount(range)).c_str(), range.from == range.to ? "picture" : "frames", options.width_px,

@@ -20,10 +20,10 @@ void Flash::add(const TickReport& report) {
   tick_ = report.tick;
 }
 
-FlashLight Flash::at(const Moment& moment, float scale) const {
+FlashLight Flash::at(const EffectTime& time, float scale) const {
   if (kind_ == Kind::none || scale <= 0) return {};
   const bool contact = kind_ == Kind::contact;
-  const float left = 1 - moment.after_ticks(tick_) / (contact ? kContact_ticks : kFlush_ticks);
+  const float left = 1 - time.after_ticks(tick_) / (contact ? kContact_ticks : kFlush_ticks);
   if (left <= 0) return {};
   FlashLight light{contact ? kContact : kFlush, contact};
   light.colour.alpha *= left * left * std::min(scale, 1.0f);

@@ -6,7 +6,7 @@
 // Whoever plays ticks faster than 60 a second must not show flashes at all.
 #pragma once
 
-#include "game/effects/moment.h"
+#include "game/effects/effect_time.h"
 #include "game/sim/simulation.h"
 #include "render/camera.h"
 
@@ -24,7 +24,7 @@ class Flash {
   void add(const TickReport& report);
 
   // `scale` 0 to 1; 0 is none at all.
-  FlashLight at(const Moment& moment, float scale) const;
+  FlashLight at(const EffectTime& time, float scale) const;
 
  private:
   enum class Kind { none, contact, flush };

@@ -49,24 +49,24 @@ void GridBends::start(const Ripple& ripple) {
   next_ = (next_ + 1) % kRipples;
 }
 
-std::vector<GridBend> GridBends::at(const Moment& moment) const {
+std::vector<GridBend> GridBends::at(const EffectTime& time) const {
   std::vector<GridBend> bends;
   for (const Ripple& ripple : ripples_) {
-    const float age_s = moment.after_s(ripple.tick);
+    const float age_s = time.after_s(ripple.tick);
     if (ripple.strength_m <= 0 || age_s >= ripple.life_s) continue;
     const float left = 1 - age_s / ripple.life_s;
     bends.push_back({ripple.x, ripple.y, ripple.speed_mps * age_s, ripple.width_m, ripple.strength_m * left * left});
   }
-  const float velocity_x = mixed(wakeBefore_x_, wake_x_, moment.since_ticks);
-  const float velocity_y = mixed(wakeBefore_y_, wake_y_, moment.since_ticks);
+  const float velocity_x = mixed(wakeBefore_x_, wake_x_, time.since_ticks);
+  const float velocity_y = mixed(wakeBefore_y_, wake_y_, time.since_ticks);
   const float share = std::min(std::hypot(velocity_x, velocity_y) / kFastShip_mps, 1.0f);
   const size_t room = kMaxGridBends - 1;
   const auto stronger = [](const GridBend& a, const GridBend& b) { return a.strength_m > b.strength_m; };
   std::stable_sort(bends.begin(), bends.end(), stronger);
   if (bends.size() > room) bends.resize(room);
   if (share > 0.02f) {
-    const float x = mixed(shipPrevious_x_, ship_x_, moment.since_ticks) - velocity_x * kWakeBehind_s;
-    const float y = mixed(shipPrevious_y_, ship_y_, moment.since_ticks) - velocity_y * kWakeBehind_s;
+    const float x = mixed(shipPrevious_x_, ship_x_, time.since_ticks) - velocity_x * kWakeBehind_s;
+    const float y = mixed(shipPrevious_y_, ship_y_, time.since_ticks) - velocity_y * kWakeBehind_s;
     bends.insert(bends.begin(), {x, y, 0, kWakeWidth_m, kWake_m * share});
   }
   return bends;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "game/effects/moment.h"
+#include "game/effects/effect_time.h"
 #include "game/sim/simulation.h"
 #include "render/grid_bend.h"
 
@@ -17,7 +17,7 @@ class GridBends {
   void add(const TickReport& report);
 
   // At most kMaxGridBends: the wake first, then those that bend most at this moment.
-  std::vector<GridBend> at(const Moment& moment) const;
+  std::vector<GridBend> at(const EffectTime& time) const;
 
   // A ring that runs outwards and fades.
   struct Ripple {

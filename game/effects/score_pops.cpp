@@ -53,12 +53,12 @@ void ScorePops::makeRoom(uint32_t tick) {
                                   [&](const Number& a, const Number& b) { return worth(a) < worth(b); }));
 }
 
-std::vector<ScorePops::Shown> ScorePops::at(const Moment& moment) const {
+std::vector<ScorePops::Shown> ScorePops::at(const EffectTime& time) const {
   std::vector<Shown> shown;
   for (const Number& number : numbers_) {
-    const float age = moment.after_ticks(number.tick) / float(kLife_ticks);
+    const float age = time.after_ticks(number.tick) / float(kLife_ticks);
     if (age >= 1) continue;
-    const float swollen = std::max(0.0f, 1 - moment.after_ticks(number.grownAt) / kGrowth_ticks);
+    const float swollen = std::max(0.0f, 1 - time.after_ticks(number.grownAt) / kGrowth_ticks);
     const float opacity = std::min(1.0f, (1 - age) / (1 - kFadesFrom));
     shown.push_back({number.x, number.y + kRise_m * (1 - (1 - age) * (1 - age)), number.points,
                      sizeOf(number.points) * (1 + kGrowth * swollen * swollen), opacity});

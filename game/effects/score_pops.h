@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "game/effects/moment.h"
+#include "game/effects/effect_time.h"
 #include "game/sim/simulation.h"
 
 namespace gw {
@@ -26,7 +26,7 @@ class ScorePops {
     float opacity;  // 0 to 1
   };
   // The oldest first.
-  std::vector<Shown> at(const Moment& moment) const;
+  std::vector<Shown> at(const EffectTime& time) const;
 
  private:
   struct Number {

@@ -46,12 +46,12 @@ void Shake::add(const TickReport& report) {
   trauma_ = std::min(trauma_, 1.0f);
 }
 
-Shake::Offset Shake::at(const Moment& moment, float scale) const {
-  const float trauma = trauma_ - kWearsOff_per_tick * moment.after_ticks(tick_);
+Shake::Offset Shake::at(const EffectTime& time, float scale) const {
+  const float trauma = trauma_ - kWearsOff_per_tick * time.after_ticks(tick_);
   if (scale <= 0 || trauma <= 0) return {};
   const float reach_m = kMost_m * trauma * trauma * std::min(scale, 1.0f);
   // Twelve days of ticks before a float loses the step: far beyond any run.
-  const float t = moment.after_ticks(0) * kTurns_per_tick;
+  const float t = time.after_ticks(0) * kTurns_per_tick;
   return {smoothNoise(t, 1) * reach_m, smoothNoise(t, 2) * reach_m};
 }
 

@@ -2,7 +2,7 @@
 // so that small things are hardly felt and large ones are. Moves what is drawn, never what is aimed at.
 #pragma once
 
-#include "game/effects/moment.h"
+#include "game/effects/effect_time.h"
 #include "game/sim/simulation.h"
 
 namespace gw {
@@ -17,7 +17,7 @@ class Shake {
     float x = 0, y = 0;  // m
   };
   // `scale` 0 to 1; 0 is exactly no offset.
-  Offset at(const Moment& moment, float scale) const;
+  Offset at(const EffectTime& time, float scale) const;
 
  private:
   float trauma_ = 0;  // 0 to 1, at the end of tick_

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "game/view/camera.h"
+#include "game/view/follow_camera.h"
 
 namespace gw {
 

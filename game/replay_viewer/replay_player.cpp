@@ -13,7 +13,7 @@ void ReplayPlayer::playTo(uint32_t tick) {
     const TickReport& report = run_.last();
     difference_.compare(report.tick, report.hash, replay_.hashes[report.tick - 1]);
   }
-  while (run_.queued() > 0) run_.collect();  // they follow an end that the recording did not have
+  while (run_.queued() > 0) run_.collect();  // ticks after an end that the recording does not have
 }
 
 }  // namespace gw

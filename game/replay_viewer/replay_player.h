@@ -1,4 +1,4 @@
-// Plays a replay tick by tick and compares every hash: what watching, scouting ahead and making a film have in common.
+// Plays a replay tick by tick and compares every hash: common to watching, prefetching and rendering a film.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace gw {
 
-// The first tick whose hash is not the recorded one, whoever found it.
+// The first tick whose hash differs from the recorded one. Thread-safe.
 class FirstDifference {
  public:
   void compare(uint32_t tick, uint64_t computed, uint64_t recorded) {
@@ -37,10 +37,10 @@ class ReplayPlayer {
       : replay_(replay), difference_(difference), run_(std::move(simulation), std::nullopt) {}
 
   uint32_t tick() const { return run_.last().tick; }
-  // No tick follows: the replay has no more inputs, or the game that it has become is over.
+  // The replay has no more inputs, or the run is over.
   bool ended() const { return tick() >= replay_.ticks() || run_.over(); }
 
-  // Plays on to this tick or the end; the device's queue is kept full on the way.
+  // Plays to this tick or the end, keeping the device's queue full.
   void playTo(uint32_t tick);
   void playOne() { playTo(tick() + 1); }
 

@@ -8,7 +8,7 @@ namespace gw {
 
 inline constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8, 16};
 
-// The next one up or down; from one that --speed gave, which may stand between two.
+// The next speed up or down; --speed may have set one between two of them.
 inline double faster(double speed) {
   for (const double next : kSpeeds) {
     if (next > speed + 1e-9) return next;
@@ -23,7 +23,7 @@ inline double slower(double speed) {
   return result;
 }
 
-// Where sounds still sound like what they belong to.
+// Whether sounds are played: at other speeds they would not match the picture.
 inline bool isHeardAt(double speed) {
   return speed >= 0.5 && speed <= 2;
 }

@@ -40,11 +40,11 @@ void drawTimeBar(Canvas& canvas, const TimeBarFrame& frame) {
   canvas.nextLayer();
   canvas.rectangle(left - 2, kTop - 2, width - 2 * kMargin + 4, kThick + 4, faded(kShade, 0.85f));
   part(0, frame.ticks, faded(kQuiet, 0.22f));
-  part(0, frame.reach, faded(kQuiet, 0.45f));
+  part(0, frame.cachedTo, faded(kQuiet, 0.45f));
   part(0, frame.tick, faded(kAccent, 0.95f));
   if (frame.differs) part(*frame.differs, frame.ticks, faded(kDanger, 0.8f));
   canvas.rectangle(at(frame.tick) - 2, kTop - 4, 4, kThick + 8, kText);
-  if (frame.wish) canvas.rectangle(at(*frame.wish) - 1.5f, kTop - 4, 3, kThick + 8, kGold);
+  if (frame.seekTarget) canvas.rectangle(at(*frame.seekTarget) - 1.5f, kTop - 4, 3, kThick + 8, kGold);
   if (frame.underMouse) {
     const std::string time = minutesTenths(*frame.underMouse);
     const float half = canvas.textWidth(time, 12) / 2 + 8;
@@ -52,8 +52,8 @@ void drawTimeBar(Canvas& canvas, const TimeBarFrame& frame) {
     canvas.rectangle(x - half, kTop - 52, 2 * half, 20, faded(kShade, 0.9f));
     canvas.text(time, x, kTop - 37, style(12, kText, TextAlign::centre, 0.2f));
   }
-  if (!frame.wish) return;
-  const auto percent = int(std::clamp(frame.seekShare, 0.0f, 1.0f) * 100);
+  if (!frame.seekTarget) return;
+  const auto percent = int(std::clamp(frame.seekProgress, 0.0f, 1.0f) * 100);
   canvas.text("SEEKING " + std::to_string(percent) + "%", width / 2, 330, style(30, kGold, TextAlign::centre, 0.7f));
 }
 

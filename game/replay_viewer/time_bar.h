@@ -1,4 +1,4 @@
-// The bar at the bottom of a replay: where in the run this is, how far moments reach, and a place to click.
+// The bar at the bottom of a replay: the current tick, how far it is cached, and where to click for a seek.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace gw {
 
 struct TimeBarFrame {
   uint32_t tick = 0, ticks = 1;
-  uint32_t reach = 0;                    // to here going is fast
-  std::optional<uint32_t> wish{};        // being gone to
-  float seekShare = 0;                   // how far on the way there
-  std::optional<uint32_t> differs{};     // from here on it is another game
+  uint32_t cachedTo = 0;                 // seeking is fast up to here
+  std::optional<uint32_t> seekTarget{};  // of the seek in progress
+  float seekProgress = 0;                // 0 to 1
+  std::optional<uint32_t> differs{};     // the first tick with another hash
   std::optional<uint32_t> underMouse{};  // the tick there
 };
 
@@ -21,7 +21,7 @@ void drawTimeBar(Canvas& canvas, const TimeBarFrame& frame);
 
 // In canvas units: a pointer that is a little off still means the bar.
 bool overTimeBar(float x, float y, float canvasWidth);
-// Of any place, also beside the bar: whoever drags does not look at his hand.
+// Also for positions beside the bar: a drag may leave it.
 uint32_t tickOnTimeBar(float x, float canvasWidth, uint32_t ticks);
 
 }  // namespace gw

@@ -11,7 +11,7 @@ namespace gw {
 
 class FrameLimiter {
  public:
-  // Of a hidden window, which draws nothing. Three ticks each: TickPacer::kMostTicksPerFrame lets no tick be lost.
+  // Of a hidden window, which draws nothing. Three ticks each: FixedTimestep::kMostTicksPerFrame lets no tick be lost.
   static constexpr double kHiddenPeriod_s = 1.0 / 20;
 
   // Frames a second of the screen; 0 or less: nobody knows.

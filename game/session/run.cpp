@@ -24,10 +24,10 @@ bool Run::collect() {
   return true;
 }
 
-void Run::restore(const RunMoment& moment) {
-  simulation_->restore(moment.state);
-  monitor_ = moment.monitor;
-  effects_ = moment.effects;
+void Run::restore(const RunSnapshot& snapshot) {
+  simulation_->restore(snapshot.state);
+  monitor_ = snapshot.monitor;
+  effects_ = snapshot.effects;
 }
 
 void Run::replaceSimulation(std::unique_ptr<Simulation> simulation) {

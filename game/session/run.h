@@ -13,7 +13,7 @@
 namespace gw {
 
 // A run at one tick: all it takes to go on from there, and to show it as if it had been played to there.
-struct RunMoment {
+struct RunSnapshot {
   Snapshot state;
   RunMonitor monitor;
   RunEffects effects;
@@ -39,8 +39,8 @@ class Run {
 
   // No tick may be queued, and what is restored must come from a run of the same game. Sparks are no state: those
   // that flew are gone after restore().
-  RunMoment moment() { return {simulation_->snapshot(), monitor_, effects_}; }
-  void restore(const RunMoment& moment);
+  RunSnapshot snapshot() { return {simulation_->snapshot(), monitor_, effects_}; }
+  void restore(const RunSnapshot& snapshot);
 
   // Goes on with another simulation of the same game at the same tick; none may be queued.
   void replaceSimulation(std::unique_ptr<Simulation> simulation);

@@ -1,11 +1,11 @@
 #include "game/session/run_factory.h"
 
-#include <chrono>
 #include <cstdio>
 #include <random>
 
 #include "host/platform/asset_folder.h"
 #include "host/platform/atomic_file.h"
+#include "host/platform/clock.h"
 #include "host/platform/part_file.h"
 
 namespace gw {
@@ -73,8 +73,7 @@ std::unique_ptr<Simulation> RunFactory::makeAgain(const SimulationConfig& config
 
 uint64_t randomSeed() {
   std::random_device device;
-  const auto now = uint64_t(std::chrono::system_clock::now().time_since_epoch().count());
-  return (uint64_t(device()) << 32 | device()) ^ now;
+  return (uint64_t(device()) << 32 | device()) ^ wallClock_ns();
 }
 
 }  // namespace gw

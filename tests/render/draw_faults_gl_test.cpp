@@ -4,7 +4,7 @@
 
 #include "game/session/failover.h"
 #include "game/tables/tables.h"
-#include "game/view/world_view.h"
+#include "game/view/world_renderer.h"
 #include "render/screenshot.h"
 #include "tests/fake_cuda/stand_in.h"
 #include "tests/render/cuda_gl_fixture.h"
@@ -41,7 +41,7 @@ class DrawFaults : public CudaGlTest, public testing::WithParamInterface<cudaErr
 
   // A tick and a frame, several times.
   std::vector<Image> play(GameRun& run) {
-    WorldView view(kAssets, run.simulation().capacity());
+    WorldRenderer view(kAssets);
     FollowCamera camera(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
     std::vector<Image> images;
     for (uint32_t frame = 0; frame < kFrames; ++frame) {

@@ -7,7 +7,7 @@
 
 #include "game/tables/tables.h"
 #include "game/ui/hud.h"
-#include "game/view/world_view.h"
+#include "game/view/world_renderer.h"
 #include "render/screenshot.h"
 #include "tests/render/cuda_gl_fixture.h"
 #include "tests/render/image_compare.h"
@@ -50,14 +50,14 @@ class DrawParity : public CudaGlTest, public testing::WithParamInterface<Mode> {
   // Without a GPU fewer are drawn: a picture with more than that must differ.
   bool particlesFit(GameRun& onCpu, float alpha) {
     const Camera camera = cameraOf(onCpu, alpha).view();
-    std::vector<ParticleVertex> vertices(WorldView::kParticlesDrawn);
+    std::vector<ParticleVertex> vertices(WorldRenderer::kParticlesDrawn);
     DrawArraysCommand command = ParticleStream::kDrawNothing;
     onCpu.simulation().particleList({camera.centre_x, camera.centre_y, 2 * camera.halfWidth_m, 2 * camera.halfHeight_m},
                                     alpha, {vertices.data(), uint32_t(vertices.size()), &command});
-    return command.instanceCount <= WorldView::kParticlesDrawnWithoutGpu;
+    return command.instanceCount <= WorldRenderer::kParticlesDrawnWithoutGpu;
   }
 
-  Image draw(WorldView& view, GameRun& run, float alpha) {
+  Image draw(WorldRenderer& view, GameRun& run, float alpha) {
     const FollowCamera camera = cameraOf(run, alpha);
     context_->bindTarget();
     WorldFrame frame{kSize};
@@ -86,8 +86,8 @@ class DrawParity : public CudaGlTest, public testing::WithParamInterface<Mode> {
 
 TEST_P(DrawParity, EveryPictureIsTheSame) {
   GameRun onCpu(cpu::makeSimulation(config_), std::nullopt), onCuda(makeOnCuda(config_), std::nullopt);
-  WorldView cpuView(kAssets, onCpu.simulation().capacity());
-  WorldView cudaView(kAssets, onCuda.simulation().capacity());
+  WorldRenderer cpuView(kAssets, onCpu.simulation().capacity());
+  WorldRenderer cudaView(kAssets, onCuda.simulation().capacity());
   std::vector<uint8_t> before;
   uint32_t withParticles = 0;
   for (uint32_t tick = 1; tick <= kTicks; ++tick) {
@@ -118,7 +118,7 @@ TEST_P(DrawParity, AViewGoesOnFromTheOtherDevice) {
     onCpu.tick({});
     onCuda.tick({});
   }
-  WorldView view(kAssets, onCuda.simulation().capacity());
+  WorldRenderer view(kAssets);
   const Image fromCuda = draw(view, onCuda, 1);
   EXPECT_EQ(draw(view, onCpu, 1).rgb, fromCuda.rgb);
   EXPECT_EQ(draw(view, onCuda, 1).rgb, fromCuda.rgb);

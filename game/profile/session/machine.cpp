@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -15,15 +14,11 @@
 
 #include "game/profile/session/built_from.h"
 #include "gpu/devices/processors.h"
+#include "host/platform/clock.h"
 #include "host/platform/fed_process.h"
 
 namespace gw::profile {
 namespace {
-
-double clock_s() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
 
 // Of all processors since the system started; unknown where it does not say.
 double busySeconds() {
@@ -138,12 +133,12 @@ uint32_t processorsIn(std::istream& stat) {
   return count;
 }
 
-MachineUse::MachineUse() : busy_s_(busySeconds()), own_s_(ownSeconds()), wall_s_(clock_s()) {}
+MachineUse::MachineUse() : busy_s_(busySeconds()), own_s_(ownSeconds()), wall_s_(now_s()) {}
 
 double MachineUse::othersShare() const {
   const double others_s = busySeconds() - busy_s_ - (ownSeconds() - own_s_);
   std::ifstream stat("/proc/stat");
-  const double all_s = (clock_s() - wall_s_) * std::max(1u, processorsIn(stat));
+  const double all_s = (now_s() - wall_s_) * std::max(1u, processorsIn(stat));
   return all_s > 0 ? std::clamp(others_s / all_s, 0.0, 1.0) : kUnknown;
 }
 

@@ -1,24 +1,15 @@
 #include "game/profile/session/picture.h"
 
-#include <chrono>
 #include <stdexcept>
 
 #include "game/ui/hud.h"
 #include "game/ui/title.h"
 #include "gpu/devices/device_list.h"
+#include "host/platform/clock.h"
 #include "host/platform/user_error.h"
 #include "render/gl_context_egl.h"
 
 namespace gw::profile {
-namespace {
-
-double now_ms() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
-
 Screen openOffscreen(PixelSize size, bool onCuda) {
   try {
     return {makeEglContext(size, onCuda ? currentCudaDevice() : std::nullopt), {}, "offscreen"};
@@ -27,8 +18,8 @@ Screen openOffscreen(PixelSize size, bool onCuda) {
   }
 }
 
-Picture::Picture(Screen& screen, const std::filesystem::path& assets, uint32_t capacity, const Look& look)
-    : screen_(screen), view_(assets, capacity), look_(look) {
+Picture::Picture(Screen& screen, const std::filesystem::path& assets, const Look& look)
+    : screen_(screen), renderer_(assets), look_(look) {
   for (GlQuery& query : queries_) query = makeGlQuery(GL_TIME_ELAPSED);
   // The first query of a context counts from the start of the machine on llvmpipe (Mesa 22 to 26): one for nothing.
   screen.context->bindTarget();
@@ -70,7 +61,7 @@ PictureCost Picture::draw(Run& run, const Rules& rules, float alpha, float passe
   if (title) frame.brightness = 0.8f;
   timed = timed && asked_ - answered_ < kQueries;
   if (timed) glBeginQuery(GL_TIME_ELAPSED, queries_[asked_++ % kQueries].get());
-  view_.draw(run, rules, *camera_, frame, [&](Canvas& canvas) {
+  renderer_.draw(run, rules, *camera_, frame, [&](Canvas& canvas) {
     if (title) {
       drawTitle(canvas,
                 {double(run.last().tick) / kTicksPerSecond, run.simulation().deviceName(), 0, Mode::arcade, "", {}});

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "game/view/world_view.h"
+#include "game/view/world_renderer.h"
 #include "render/gl_objects.h"
 
 namespace gw::profile {
@@ -38,8 +38,8 @@ struct PictureCost {
 
 class Picture {
  public:
-  // For simulations of this capacity. `screen` must outlive this.
-  Picture(Screen& screen, const std::filesystem::path& assets, uint32_t capacity, const Look& look);
+  // `screen` must outlive this.
+  Picture(Screen& screen, const std::filesystem::path& assets, const Look& look);
 
   bool showsEffects() const { return look_.effects; }
 
@@ -58,7 +58,7 @@ class Picture {
 
   static constexpr size_t kQueries = 4;  // frames on their way
   Screen& screen_;
-  WorldView view_;
+  WorldRenderer renderer_;
   Look look_;
   std::optional<FollowCamera> camera_;
   std::array<GlQuery, kQueries> queries_;

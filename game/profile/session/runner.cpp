@@ -2,21 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <deque>
 
-#include "game/session/tick_pacer.h"
+#include "game/session/fixed_timestep.h"
+#include "host/platform/clock.h"
 
 namespace gw::profile {
 namespace {
 
 constexpr uint32_t kCountEvery_ticks = 60;  // candidates: a search of all enemies for nothing else
-
-double now_ms() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
 
 // One frame of every 32, at another place in each: much of a game goes in beats of two and four ticks, so a fixed place
 // would see the same beat for ever.
@@ -108,12 +103,12 @@ class LateTimes {
 
 // Takes time that is not the game's: no tick comes due by it.
 template <class Work>
-void outsideOfPlay(TickPacer& pacer, const Work& work) {
-  pacer.frame(now_ms() / 1000);
+void outsideOfPlay(FixedTimestep& timestep, const Work& work) {
+  timestep.frame(now_ms() / 1000);
   work();
-  pacer.pause();
-  pacer.frame(now_ms() / 1000);
-  pacer.resume();
+  timestep.pause();
+  timestep.frame(now_ms() / 1000);
+  timestep.resume();
 }
 
 void tell(Frame& frame, const TickReport& report, const RunPlan& plan) {
@@ -172,7 +167,7 @@ PlayedRun Runner::playExact(const SimulationConfig& config, const RunPlan& plan,
   start += now_ms() - made;  // that was ours
   Counting counting(run.simulation());
   LateTimes glTimes(picture_);
-  TickPacer pacer;
+  FixedTimestep timestep;
   uint64_t droppedWarmingUp = 0;
   bool goOn = true;
   double last = now_ms();
@@ -180,15 +175,15 @@ PlayedRun Runner::playExact(const SimulationConfig& config, const RunPlan& plan,
     Frame frame;
     stages.begin(n);
     const double begin = now_ms();
-    if (plan.paced) pacer.frame(begin / 1000);
-    while (run.last().tick < plan.ticks && (plan.paced ? pacer.due() : frame.ticks == 0)) {
+    if (plan.paced) timestep.frame(begin / 1000);
+    while (run.last().tick < plan.ticks && (plan.paced ? timestep.due() : frame.ticks == 0)) {
       tick(run);
       ++frame.ticks;
     }
     frame.simulation_ms = now_ms() - begin;
     if (picture_) {
       const float passed_s = plan.paced ? float((begin - last) / 1000) : kTick_s;
-      const float alpha = plan.paced ? pacer.alpha() : 1;
+      const float alpha = plan.paced ? timestep.alpha() : 1;
       const PictureCost cost = picture_->draw(run, config.rules, alpha, passed_s, scene_.title, !isSample(n));
       frame.draw_ms = cost.draw_ms;
       frame.wait_ms = cost.wait_ms;
@@ -203,9 +198,9 @@ PlayedRun Runner::playExact(const SimulationConfig& config, const RunPlan& plan,
 
     tell(frame, run.last(), plan);
     stages.end(frame, out.stages);
-    if (frame.warmUp) droppedWarmingUp = pacer.dropped();
+    if (frame.warmUp) droppedWarmingUp = timestep.dropped();
     if (plan.paced) {
-      outsideOfPlay(pacer, [&] { counting.after(frame); });
+      outsideOfPlay(timestep, [&] { counting.after(frame); });
     } else {
       counting.after(frame);
     }
@@ -213,7 +208,7 @@ PlayedRun Runner::playExact(const SimulationConfig& config, const RunPlan& plan,
     glTimes.takeInto(out.frames);
     goOn = listener(out.frames.back());
   }
-  if (plan.paced) out.droppedTicks = double(pacer.dropped() - droppedWarmingUp);
+  if (plan.paced) out.droppedTicks = double(timestep.dropped() - droppedWarmingUp);
   out.launchesPerTick = run.simulation().launchesPerTick();
   played.hash = run.last().hash;
   played.whole = run.last().tick == plan.ticks;

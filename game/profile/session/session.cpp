@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "game/profile/metrics/contender_figures.h"
 #include "game/ui/mode_choice.h"
+#include "host/platform/clock.h"
 #include "host/platform/number_format.h"
 #include "host/platform/user_error.h"
 
@@ -17,11 +17,6 @@ namespace {
 
 constexpr uint32_t kWarmUp_ticks = 120;         // caches, clocks of the processor, the first births
 constexpr double kBusy = 0.05, kSpread = 0.05;  // shares from which the reader is warned
-
-double clock_s() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
 
 // What timing the stages adds to a tick, as a share: ticks that were timed against others that were not, in the same
 // beat of the game: bots decide every fourth tick, and much else happens every second or fourth.
@@ -127,9 +122,9 @@ Scene Session::sceneFor(uint32_t enemies) {
     return readFiveMinutes(assets_);
   }
   const std::string doing = fmt::format("recording {} with {} enemies", nameOf(plan_.scene), withCommas(enemies));
-  const double start_s = clock_s();
+  const double start_s = now_s();
   return recordScene(plan_.scene, {enemies, ticks}, rules_, device_, [&](uint32_t tick) {
-    return tell(doing, tick, ticks, (clock_s() - start_s) * (ticks - tick) / tick);  // of the recording alone
+    return tell(doing, tick, ticks, (now_s() - start_s) * (ticks - tick) / tick);  // of the recording alone
   });
 }
 
@@ -165,13 +160,9 @@ Case Session::playCase(const Scene& scene, size_t index, const SetupListener& se
   Case played;
   played.enemies = scene.replay.header.enemies;
   SimulationConfig config = replayConfig(scene.replay);
-  uint32_t capacity = 0;
-  {
-    const std::unique_ptr<Simulation> asked = make(config);
-    capacity = asked->capacity();
-  }
+  make(config);  // a game that does not fit is refused before anything is drawn or printed
   std::optional<Picture> picture;
-  if (screen_) picture.emplace(*screen_, assets_, capacity, plan_.look);
+  if (screen_) picture.emplace(*screen_, assets_, plan_.look);
   const uint32_t ticks = scene.replay.ticks();
   if (index == 0) setups(setup_ = setupOf(scene));
   const MakeSimulation same = [this](const SimulationConfig& asked) { return make(asked); };
@@ -217,12 +208,12 @@ void Session::playRun(const Scene& scene, uint32_t enemies, uint32_t round, Case
   const ContenderChoice& choice = plan_.contenders[contender];
   const std::string doing = fmt::format("{}, {} enemies: run {} of {}, {}", scene.name, withCommas(enemies), round + 1,
                                         plan_.runs, choice.name);
-  const double start_s = clock_s();
+  const double start_s = now_s();
   uint32_t done = 0;
   const PlayedRun run = of.runner.play(choice, of.plan, [&](const Frame& frame) {
     ticksToGo_[contender] -= frame.ticks;
     done = frame.tick;
-    if (done > of.plan.warmUp_ticks) tickCost_s_[contender] = (clock_s() - start_s) / done;
+    if (done > of.plan.warmUp_ticks) tickCost_s_[contender] = (now_s() - start_s) / done;
     return tell(doing, frame.tick, of.plan.ticks, left_s());
   });
   if (!run.whole) ended_ = true;

@@ -26,11 +26,11 @@ TEST(TimeBar, TellsTheTickUnderThePointerAndBack) {
 
 TEST(TimeBar, IsAsLongAsWhatWasPlayedAndSaysWhatItDoes) {
   RememberingCanvas quiet, busy;
-  drawTimeBar(quiet, {.tick = 150, .ticks = 600, .reach = 300});
+  drawTimeBar(quiet, {.tick = 150, .ticks = 600, .cachedTo = 300});
   EXPECT_NEAR(quiet.bars[3].width, (1280 - 56) * 0.25f, 0.01f);
   EXPECT_NEAR(quiet.bars[2].width, (1280 - 56) * 0.5f, 0.01f);
   EXPECT_FALSE(quiet.says("SEEKING"));
-  drawTimeBar(busy, {.tick = 150, .ticks = 600, .wish = 590, .seekShare = 0.459f, .underMouse = 600});
+  drawTimeBar(busy, {.tick = 150, .ticks = 600, .seekTarget = 590, .seekProgress = 0.459f, .underMouse = 600});
   EXPECT_TRUE(busy.says("SEEKING 45%"));
   EXPECT_TRUE(busy.says("0:10.0"));
   EXPECT_EQ(busy.outside(), "");

@@ -12,7 +12,7 @@ namespace {
 
 void goTo(ReplayViewer& viewer, uint32_t tick) {
   viewer.seek(tick);
-  while (!viewer.work(50)) {
+  while (!viewer.continueSeek(50)) {
   }
 }
 
@@ -37,11 +37,11 @@ void expectAt(ReplayViewer& viewer, const ViewerSample& sample, uint32_t tick) {
   EXPECT_EQ(shown.dataPerSecond(), plain.dataPerSecond()) << tick;
   EXPECT_EQ(shown.trailingFrameTime_us(), plain.trailingFrameTime_us()) << tick;
   EXPECT_EQ(shown.lastContact().tick, plain.lastContact().tick) << tick;
-  const Moment moment{tick, 0.5f};
+  const EffectTime time{tick, 0.5f};
   const RunEffects &effects = viewer.run().effects(), &wanted = sample.effects[tick];
-  EXPECT_EQ(effects.shake().at(moment, 1).x, wanted.shake().at(moment, 1).x) << tick;
-  EXPECT_EQ(effects.scorePops().at(moment).size(), wanted.scorePops().at(moment).size()) << tick;
-  EXPECT_EQ(effects.gridBends().at(moment).size(), wanted.gridBends().at(moment).size()) << tick;
+  EXPECT_EQ(effects.shake().at(time, 1).x, wanted.shake().at(time, 1).x) << tick;
+  EXPECT_EQ(effects.scorePops().at(time).size(), wanted.scorePops().at(time).size()) << tick;
+  EXPECT_EQ(effects.gridBends().at(time).size(), wanted.gridBends().at(time).size()) << tick;
   const auto sparks = alive(viewer.run().simulation().particles(), tick), flew = alive(sample.flying[tick], tick);
   EXPECT_TRUE(std::equal(sparks.begin(), sparks.end(), flew.begin(), flew.end(), same))
       << "tick " << tick << ": " << sparks.size() << " sparks instead of " << flew.size();
@@ -60,14 +60,14 @@ void seekAtRandom(ReplayViewer& viewer, const ViewerSample& sample, uint32_t tim
   EXPECT_FALSE(viewer.differsFrom().has_value());
 }
 
-TEST(ViewerSeek, ReachesWhatPlainPlayingShowsWithAndWithoutAScout) {
+TEST(ViewerSeek, ReachesWhatPlainPlayingShowsWithAndWithoutPrefetching) {
   const ViewerSample sample = playedSample(700);
   ASSERT_EQ(sample.replay.ticks(), 700u);
   ASSERT_GT(sample.flying[300].size(), 0u) << "the sample has sparks";
   ReplayViewer alone(sample.replay, sample.simulation(), nullptr);
   seekAtRandom(alone, sample, 24);
-  ReplayViewer scouted(sample.replay, sample.simulation(), [&] { return sample.simulation(); });
-  seekAtRandom(scouted, sample, 24);
+  ReplayViewer prefetching(sample.replay, sample.simulation(), [&] { return sample.simulation(); });
+  seekAtRandom(prefetching, sample, 24);
 }
 
 TEST(ViewerSeek, ReachesTheSameWhereTheArrangementIsState) {
@@ -100,24 +100,24 @@ TEST(ViewerSeek, ReachesTheSameWhenMemoryIsShort) {
   ReplayViewer viewer(
       sample.replay, sample.simulation(), [&] { return sample.simulation(); }, 60'000);
   goTo(viewer, 1500);
-  EXPECT_LE(viewer.moments().bytes(), 60'000u);
-  EXPECT_GT(viewer.moments().spacing().ticks, 240u);
+  EXPECT_LE(viewer.cache().bytes(), 60'000u);
+  EXPECT_GT(viewer.cache().spacing().ticks, 240u);
   seekAtRandom(viewer, sample, 15);
 }
 
-TEST(ViewerSeek, TakesStepsBackAndTheLastWishOfSeveral) {
+TEST(ViewerSeek, TakesStepsBackAndTheLastSeekOfSeveral) {
   const ViewerSample sample = playedSample(400);
   ReplayViewer viewer(sample.replay, sample.simulation(), nullptr);
   goTo(viewer, 350);
   viewer.seekBy(-1);
   viewer.seekBy(-1);
   viewer.seekBy(-1);
-  EXPECT_EQ(viewer.wish(), 347u);
-  while (!viewer.work(5)) EXPECT_TRUE(viewer.seekShare() >= 0 && viewer.seekShare() <= 1);
+  EXPECT_EQ(viewer.seekTarget(), 347u);
+  while (!viewer.continueSeek(5)) EXPECT_TRUE(viewer.seekProgress() >= 0 && viewer.seekProgress() <= 1);
   expectAt(viewer, sample, 347);
   viewer.seek(10);
   viewer.seekBy(-1000);
-  while (!viewer.work(5)) {
+  while (!viewer.continueSeek(5)) {
   }
   expectAt(viewer, sample, 0);
 }
@@ -128,9 +128,9 @@ TEST(ViewerSeek, WorksNoLongerThanAskedAndSaysHowFarItIs) {
   viewer.seek(700);
   float share = 0;
   uint32_t calls = 0;
-  for (; !viewer.work(0); ++calls) {  // the least there is: one tick
-    EXPECT_GE(viewer.seekShare(), share);
-    share = viewer.seekShare();
+  for (; !viewer.continueSeek(0); ++calls) {  // the least there is: one tick
+    EXPECT_GE(viewer.seekProgress(), share);
+    share = viewer.seekProgress();
     EXPECT_TRUE(viewer.seeking());
   }
   EXPECT_EQ(calls + 1, 700u);
@@ -148,12 +148,12 @@ TEST(ViewerSeek, NamesTheFirstTickThatDiffersWhereverItWasFoundFrom) {
   EXPECT_EQ(viewer.differsFrom(), 250u);
   goTo(viewer, 20);
   EXPECT_EQ(viewer.differsFrom(), 250u);
-  ReplayViewer scouted(sample.replay, sample.simulation(), [&] { return sample.simulation(); });
-  while (!scouted.scouted()) std::this_thread::yield();
-  EXPECT_EQ(scouted.differsFrom(), 250u) << "found ahead of the viewer";
+  ReplayViewer prefetching(sample.replay, sample.simulation(), [&] { return sample.simulation(); });
+  while (!prefetching.prefetched()) std::this_thread::yield();
+  EXPECT_EQ(prefetching.differsFrom(), 250u) << "found ahead of the tick that is shown";
 }
 
-TEST(ViewerSeek, DoesWithoutAScoutThatCannotBe) {
+TEST(ViewerSeek, WorksWithoutAPrefetchThreadThatFails) {
   const ViewerSample sample = playedSample(200);
   ReplayViewer viewer(sample.replay, sample.simulation(),
                       []() -> std::unique_ptr<Simulation> { throw std::bad_alloc(); });
@@ -161,7 +161,7 @@ TEST(ViewerSeek, DoesWithoutAScoutThatCannotBe) {
   expectAt(viewer, sample, 150);
 }
 
-TEST(ViewerSeek, EndsWhileTheScoutIsStillAtWork) {
+TEST(ViewerSeek, EndsWhileThePrefetchThreadStillRuns) {
   const ViewerSample sample = playedSample(600);
   for (int i = 0; i < 5; ++i) {
     ReplayViewer viewer(sample.replay, sample.simulation(), [&] { return sample.simulation(); });

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "game/app/fullscreen_switch.h"
-#include "game/session/tick_pacer.h"
+#include "game/session/fixed_timestep.h"
 
 namespace gw {
 namespace {
@@ -93,17 +93,17 @@ TEST(FrameLimiter, WithoutVerticalSyncTheScreensRateOrSixty) {
 TEST(FrameLimiter, AHiddenWindowIsSlowAndLosesNoTick) {
   for (const bool waits : {false, true}) {
     Machine machine;
-    TickPacer pacer;
+    FixedTimestep timestep;
     uint32_t ticks = 0;
-    pacer.frame(machine.now_s);
+    timestep.frame(machine.now_s);
     const int frames = machine.frames(10, 0.001, waits, true, [&](double now_s) {
-      pacer.frame(now_s);
-      while (pacer.due()) ++ticks;
+      timestep.frame(now_s);
+      while (timestep.due()) ++ticks;
       return now_s;
     });
     EXPECT_NEAR(frames, 200, 2);
     EXPECT_NEAR(ticks, 600, 4);
-    EXPECT_EQ(pacer.dropped(), 0u);
+    EXPECT_EQ(timestep.dropped(), 0u);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "game/profile/session/contender_choice.h"
 #include "game/profile/session/refill.h"
 #include "game/profile/session/runner.h"
-#include "game/session/tick_pacer.h"
+#include "game/session/fixed_timestep.h"
 #include "host/platform/user_error.h"
 
 namespace gw::profile {
@@ -230,7 +230,7 @@ TEST(Runner, PacedRunsTellTimesOfTicks) {
     ticks += frame.ticks;
     without += frame.ticks == 0;
     counted += frame.searching == frame.searching;
-    EXPECT_LE(frame.ticks, TickPacer::kMostTicksPerFrame);
+    EXPECT_LE(frame.ticks, FixedTimestep::kMostTicksPerFrame);
     EXPECT_EQ(frame.stages_ms.empty(), !frame.staged);
     EXPECT_TRUE(!frame.staged || frame.ticks > 0);
     double sum = 0;

@@ -3,7 +3,7 @@
 
 #include "game/session/failover.h"
 #include "game/tables/tables.h"
-#include "game/view/world_view.h"
+#include "game/view/world_renderer.h"
 #include "render/screenshot.h"
 #include "tests/render/gl_fixture.h"
 
@@ -14,7 +14,7 @@ using GameRun = Run;  // within a test, Run is the test framework's
 
 constexpr uint32_t kTicks = 700;  // the expert has killed some, and is flying
 
-class WorldViewGl : public GlTest {
+class WorldRendererGl : public GlTest {
  protected:
   void SetUp() override {
     GlTest::SetUp();
@@ -24,7 +24,7 @@ class WorldViewGl : public GlTest {
     config_.enemies = 1024;
     config_.autopilot = Autopilot::expert;
     run_ = runWith(true);
-    view_ = std::make_unique<WorldView>(kAssets, run_->simulation().capacity());
+    view_ = std::make_unique<WorldRenderer>(kAssets);
   }
 
   // Stops in a tick in which something was just killed.
@@ -59,11 +59,11 @@ class WorldViewGl : public GlTest {
 
   SimulationConfig config_;
   std::unique_ptr<GameRun> run_;
-  std::unique_ptr<WorldView> view_;
+  std::unique_ptr<WorldRenderer> view_;
   Camera view_camera_;
 };
 
-TEST_F(WorldViewGl, WithoutEffectsItIsBackgroundAndSprites) {
+TEST_F(WorldRendererGl, WithoutEffectsItIsBackgroundAndSprites) {
   const Image off = draw(*run_, none());
   ASSERT_EQ(run_->last().flushRadius_m, 0);  // no rings in this picture
   ASSERT_EQ(run_->last().contacts, 0u);
@@ -87,7 +87,7 @@ TEST_F(WorldViewGl, WithoutEffectsItIsBackgroundAndSprites) {
   EXPECT_EQ(off.rgb, readPixels(kSize).rgb);
 }
 
-TEST_F(WorldViewGl, EveryEffectIsSeenAndCanBeTurnedOff) {
+TEST_F(WorldRendererGl, EveryEffectIsSeenAndCanBeTurnedOff) {
   const Image off = draw(*run_, none());
   const auto only = [](auto set) {
     Settings::Effects effects = none();
@@ -100,7 +100,7 @@ TEST_F(WorldViewGl, EveryEffectIsSeenAndCanBeTurnedOff) {
   EXPECT_EQ(draw(*run_, none()).rgb, off.rgb);
 }
 
-TEST_F(WorldViewGl, ParticlesSwitchedOffLookAsIfThereWereNone) {
+TEST_F(WorldRendererGl, ParticlesSwitchedOffLookAsIfThereWereNone) {
   const auto without = runWith(false);
   ASSERT_EQ(without->last().hash, run_->last().hash);
   Settings::Effects effects;
@@ -110,7 +110,7 @@ TEST_F(WorldViewGl, ParticlesSwitchedOffLookAsIfThereWereNone) {
   EXPECT_EQ(draw(*without, {}).rgb, off.rgb);  // a run that makes none has none to show
 }
 
-TEST_F(WorldViewGl, ShakeAndFlashOfAFlushCanBeTurnedOff) {
+TEST_F(WorldRendererGl, ShakeAndFlashOfAFlushCanBeTurnedOff) {
   config_.autopilot = Autopilot::none;
   run_ = runAfterFlush();
   const auto with = [&](float shake, float flash) {
@@ -141,7 +141,7 @@ class BlindDevice final : public Failover {
   uint32_t drawn_ = 0, blindAfter_;
 };
 
-TEST_F(WorldViewGl, ADeviceThatFailsToDrawIsDroppedAndThePictureDrawnAllTheSame) {
+TEST_F(WorldRendererGl, ADeviceThatFailsToDrawIsDroppedAndThePictureDrawnAllTheSame) {
   for (const uint32_t after : {0u, 1u}) {
     GameRun healthy(cpu::makeSimulation(config_), std::nullopt);
     GameRun blind(std::make_unique<BlindDevice>(config_, after), std::nullopt);

@@ -1,4 +1,4 @@
-#include "game/session/tick_pacer.h"
+#include "game/session/fixed_timestep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 constexpr double kTick = 1.0 / kTicksPerSecond;
 }
 
-void TickPacer::frame(double now_s) {
+void FixedTimestep::frame(double now_s) {
   const double passed = started_ ? std::max(0.0, now_s - last_s_) : 0.0;
   started_ = true;
   last_s_ = now_s;
@@ -29,28 +29,28 @@ void TickPacer::frame(double now_s) {
 }
 
 // A clock that sums sixtieths falls a rounding error short of a whole tick; that is still a tick.
-bool TickPacer::behind() const {
+bool FixedTimestep::behind() const {
   return !paused_ && waiting_s_ >= kTick - 1e-9;
 }
 
-void TickPacer::showLast() {
+void FixedTimestep::showLast() {
   waiting_s_ = kTick * (1 - 1e-6);
 }
 
-bool TickPacer::due() {
+bool FixedTimestep::due() {
   if (!behind()) return false;
   waiting_s_ = std::max(0.0, waiting_s_ - kTick);
   return true;
 }
 
-void TickPacer::withhold(double seconds) {
+void FixedTimestep::withhold(double seconds) {
   hold_s_ = std::max(hold_s_, seconds);
   const double spent = std::min(hold_s_, waiting_s_);
   hold_s_ -= spent;
   waiting_s_ -= spent;
 }
 
-float TickPacer::alpha() const {
+float FixedTimestep::alpha() const {
   return float(std::clamp(waiting_s_ / kTick, 0.0, 1.0));
 }
 

@@ -1,4 +1,4 @@
-#include "game/view/camera.h"
+#include "game/view/follow_camera.h"
 
 #include <algorithm>
 #include <cmath>

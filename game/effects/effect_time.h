@@ -8,7 +8,7 @@
 
 namespace gw {
 
-struct Moment {
+struct EffectTime {
   uint32_t tick = 0;      // ticks completed
   float since_ticks = 1;  // passed since then: a share of one, and more once the run is over
 

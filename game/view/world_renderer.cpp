@@ -1,4 +1,4 @@
-#include "game/view/world_view.h"
+#include "game/view/world_renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,15 +39,14 @@ DrawView withEdge(const Camera& camera, Colouring colouring) {
   return {camera.centre_x, camera.centre_y, camera.halfWidth_m + kEdge_m, camera.halfHeight_m + kEdge_m, colouring};
 }
 
-Moment momentOf(const Run& run, const WorldFrame& frame) {
+EffectTime effectTimeOf(const Run& run, const WorldFrame& frame) {
   return {run.last().tick, frame.alpha + frame.afterEnd_ticks};
 }
 
-// Passes read shaders and fonts: what goes wrong there is a bad file.
-template <class Pass>
-Pass loaded(const std::filesystem::path& assets) {
+// Passes read shaders and fonts: an error there is one of a file.
+RenderPasses loadPasses(const std::filesystem::path& assets) {
   try {
-    return Pass(assets);
+    return RenderPasses{assets};
   } catch (const std::runtime_error& error) {
     throw UserError(ExitCode::badFile, error.what());
   }
@@ -55,30 +54,28 @@ Pass loaded(const std::filesystem::path& assets) {
 
 }  // namespace
 
-WorldView::WorldView(const std::filesystem::path& assets, uint32_t capacity)
-    : capacity_(capacity + kSpareSprites),
-      grid_(loaded<GridPass>(assets)),
-      particles_(loaded<ParticlePass>(assets)),
-      sprites_(loaded<SpritePass>(assets)),
-      rings_(loaded<RingPass>(assets)),
-      quads_(loaded<QuadPass>(assets)),
-      text_(loaded<TextPass>(assets)) {}
+WorldRenderer::WorldRenderer(const std::filesystem::path& assets) : passes_(loadPasses(assets)) {}
 
-void WorldView::makeStreams(bool cuda) {
+void WorldRenderer::makeStreams(const Simulation& simulation) {
+  const bool cuda = simulation.onCuda();
+  const uint32_t capacity = simulation.capacity() + kSpareSprites;
   std::string whyCopied;
-  auto sprites = makeStream<SpriteVertex>(capacity_, cuda, whyCopied);
+  auto sprites = makeStream<SpriteVertex>(capacity, cuda, whyCopied);
   auto particles = makeStream<ParticleVertex>(cuda ? kParticlesDrawn : kParticlesDrawnWithoutGpu, cuda, whyCopied);
   stream_ = std::move(sprites);
   particleStream_ = std::move(particles);
   streamsOnCuda_ = cuda;
-  if (whyCopied.empty() || toldOfCopies_) return;
-  toldOfCopies_ = true;
+  streamCapacity_ = capacity;
+  if (whyCopied.empty() || copiesReported_) return;
+  copiesReported_ = true;
   std::fprintf(stderr, "Every frame is copied through the host, because %s: \"gpuwars devices\" lists what can draw.\n",
                whyCopied.c_str());
 }
 
-WorldView::Filled WorldView::fillStreams(Simulation& simulation, const DrawView& view, const WorldFrame& frame) {
-  if (!stream_ || simulation.onCuda() != streamsOnCuda_) makeStreams(simulation.onCuda());
+WorldRenderer::Filled WorldRenderer::fillStreams(Simulation& simulation, const DrawView& view,
+                                                 const WorldFrame& frame) {
+  const bool fits = stream_ && simulation.capacity() + kSpareSprites <= streamCapacity_;
+  if (!fits || simulation.onCuda() != streamsOnCuda_) makeStreams(simulation);
   Filled filled;
   filled.sprites = stream_->begin();
   simulation.drawList(view, {filled.sprites.vertices, filled.sprites.capacity, filled.sprites.command});
@@ -92,22 +89,22 @@ WorldView::Filled WorldView::fillStreams(Simulation& simulation, const DrawView&
   return filled;
 }
 
-WorldView::Filled WorldView::fill(Simulation& simulation, const DrawView& view, const WorldFrame& frame) {
+WorldRenderer::Filled WorldRenderer::fill(Simulation& simulation, const DrawView& view, const WorldFrame& frame) {
   try {
     return fillStreams(simulation, view, frame);
   } catch (const DeviceError& error) {
     simulation.dropDevice(error.what());
-    stream_.reset();  // whatever it was in the midst of
+    stream_.reset();  // its state is undefined
     return fillStreams(simulation, view, frame);
   }
 }
 
-void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame,
-                     const Screens& screens) {
+void WorldRenderer::draw(Run& run, const Rules& rules, const FollowCamera& camera, const WorldFrame& frame,
+                         const Screens& screens) {
   Simulation& simulation = run.simulation();
   const TickReport& report = run.last();
   Camera view = camera.view();  // a copy: the mouse aims by the one that does not shake
-  const Shake::Offset shake = run.effects().shake().at(momentOf(run, frame), frame.effects.shake);
+  const Shake::Offset shake = run.effects().shake().at(effectTimeOf(run, frame), frame.effects.shake);
   view.centre_x += shake.x;
   view.centre_y += shake.y;
 
@@ -115,7 +112,7 @@ void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, c
   simulation.park();
 
   drawBackground(run, rules, view, frame);
-  if (frame.effects.particles) particles_.draw(particles, {view, frame.target, frame.brightness});
+  if (frame.effects.particles) passes_.particles.draw(particles, {view, frame.target, frame.brightness});
   particleStream_->end();
   drawEffects(run, view, frame);
   SpriteFrame sprites;
@@ -127,20 +124,20 @@ void WorldView::draw(Run& run, const Rules& rules, const FollowCamera& camera, c
   sprites.brightness = frame.brightness;
   sprites.glow = frame.effects.glow;
   sprites.flashes = frame.effects.flash > 0;
-  sprites_.draw(region, sprites);
+  passes_.sprites.draw(region, sprites);
   drawRings(run, rules, view, frame);
   stream_->end();
 
-  GlCanvas canvas(quads_, text_, frame.target);
+  GlCanvas canvas(passes_.quads, passes_.text, frame.target);
   screens(canvas);
   canvas.nextLayer();
 }
 
-void WorldView::drawBackground(Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame) {
+void WorldRenderer::drawBackground(Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame) {
   const TickReport& report = run.last();
   const float lost = 1 - budgetLeft(report.frameTime_us, rules.budget);
   std::vector<GridBend> bends;
-  if (frame.effects.gridBending) bends = run.effects().gridBends().at(momentOf(run, frame));
+  if (frame.effects.gridBending) bends = run.effects().gridBends().at(effectTimeOf(run, frame));
   GridFrame grid;
   grid.camera = camera;
   grid.worldWidth_m = run.simulation().worldWidth_m();
@@ -150,20 +147,20 @@ void WorldView::drawBackground(Run& run, const Rules& rules, const Camera& camer
   grid.unrest = lost * lost;
   grid.brightness = frame.brightness;
   grid.bends = bends;
-  grid_.draw(grid);
+  passes_.grid.draw(grid);
 }
 
 // What lies between the background and everything that lives, beside the particles.
-void WorldView::drawEffects(const Run& run, const Camera& camera, const WorldFrame& frame) {
-  GlCanvas canvas(quads_, text_, frame.target);
-  drawFlash(canvas, run.effects().flash().at(momentOf(run, frame), frame.effects.flash));
+void WorldRenderer::drawEffects(const Run& run, const Camera& camera, const WorldFrame& frame) {
+  GlCanvas canvas(passes_.quads, passes_.text, frame.target);
+  drawFlash(canvas, run.effects().flash().at(effectTimeOf(run, frame), frame.effects.flash));
   if (frame.effects.scorePops) {
-    drawScorePops(canvas, run.effects().scorePops().at(momentOf(run, frame)), camera, frame.brightness);
+    drawScorePops(canvas, run.effects().scorePops().at(effectTimeOf(run, frame)), camera, frame.brightness);
   }
   canvas.nextLayer();
 }
 
-void WorldView::drawRings(const Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame) {
+void WorldRenderer::drawRings(const Run& run, const Rules& rules, const Camera& camera, const WorldFrame& frame) {
   const TickReport& report = run.last();
   if (report.flushRadius_m > 0) {
     const float share = std::clamp(report.flushRadius_m / std::max(rules.flush.reach_m, 1.0f), 0.0f, 1.0f);
@@ -174,7 +171,7 @@ void WorldView::drawRings(const Run& run, const Rules& rules, const Camera& came
     ring.inside_m = 5;
     ring.outside_m = 0.6f;
     ring.colour = theme::faded(theme::kAccent, (1 - 0.6f * share) * frame.brightness);
-    if (ring.radius_m > 0.1f) rings_.draw(ring, camera, frame.target);
+    if (ring.radius_m > 0.1f) passes_.rings.draw(ring, camera, frame.target);
   }
   const RunMonitor::Contact& contact = run.monitor().lastContact();
   const float age = float(report.tick - contact.tick) + frame.alpha;
@@ -187,7 +184,7 @@ void WorldView::drawRings(const Run& run, const Rules& rules, const Camera& came
     ring.inside_m = 1.5f + 2 * (1 - share);
     ring.outside_m = 0.8f;
     ring.colour = theme::faded(theme::kDanger, (1 - share) * frame.brightness);
-    rings_.draw(ring, camera, frame.target);
+    passes_.rings.draw(ring, camera, frame.target);
   }
 }
 

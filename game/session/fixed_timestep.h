@@ -6,7 +6,7 @@
 
 namespace gw {
 
-class TickPacer {
+class FixedTimestep {
  public:
   static constexpr uint32_t kMostTicksPerFrame = 5;
 

@@ -1,18 +1,18 @@
-#include "game/replay_viewer/moments.h"
+#include "game/replay_viewer/snapshot_cache.h"
 
 #include <iterator>
 #include <utility>
 
 namespace gw {
 
-size_t bytesOf(const RunMoment& moment) {
-  constexpr size_t kEffects = 4096;  // their lists hold a few dozen small things each
-  return sizeof(RunMoment) + kEffects + moment.state.globals.capacity() +
-         moment.state.entities.capacity() * sizeof(EntityRecord) +
-         moment.state.arrangement.capacity() * sizeof(uint32_t);
+size_t bytesOf(const RunSnapshot& snapshot) {
+  constexpr size_t kEffects = 4096;  // their lists hold a few dozen small entries each
+  return sizeof(RunSnapshot) + kEffects + snapshot.state.globals.capacity() +
+         snapshot.state.entities.capacity() * sizeof(EntityRecord) +
+         snapshot.state.arrangement.capacity() * sizeof(uint32_t);
 }
 
-bool Moments::wanted(uint32_t tick, double cost_ms) const {
+bool SnapshotCache::wanted(uint32_t tick, double cost_ms) const {
   const std::lock_guard lock(mutex_);
   auto after = kept_.upper_bound(tick);
   if (after == kept_.begin()) return true;
@@ -20,19 +20,19 @@ bool Moments::wanted(uint32_t tick, double cost_ms) const {
   return since > 0 && (since >= spacing_.ticks || cost_ms >= spacing_.cost_ms);
 }
 
-void Moments::keep(RunMoment moment) {
-  moment.state.entities.shrink_to_fit();
-  moment.state.arrangement.shrink_to_fit();
-  const uint32_t tick = moment.tick();
-  const size_t bytes = bytesOf(moment);
-  auto shared = std::make_shared<const RunMoment>(std::move(moment));
+void SnapshotCache::keep(RunSnapshot snapshot) {
+  snapshot.state.entities.shrink_to_fit();
+  snapshot.state.arrangement.shrink_to_fit();
+  const uint32_t tick = snapshot.tick();
+  const size_t bytes = bytesOf(snapshot);
+  auto shared = std::make_shared<const RunSnapshot>(std::move(snapshot));
   const std::lock_guard lock(mutex_);
-  if (!kept_.emplace(tick, std::move(shared)).second) return;  // the other thread was here first
+  if (!kept_.emplace(tick, std::move(shared)).second) return;  // the other thread has stored it already
   bytes_ += bytes;
   while (bytes_ > budget_bytes_ && kept_.size() > 1) thin();
 }
 
-void Moments::thin() {
+void SnapshotCache::thin() {
   bool drop = false;
   for (auto it = kept_.begin(); it != kept_.end(); drop = !drop) {
     if (!drop) {
@@ -46,18 +46,18 @@ void Moments::thin() {
   spacing_.cost_ms *= 2;
 }
 
-bool Moments::has(uint32_t tick) const {
+bool SnapshotCache::has(uint32_t tick) const {
   const std::lock_guard lock(mutex_);
   return kept_.contains(tick);
 }
 
-std::shared_ptr<const RunMoment> Moments::before(uint32_t tick) const {
+std::shared_ptr<const RunSnapshot> SnapshotCache::before(uint32_t tick) const {
   const std::lock_guard lock(mutex_);
   const auto after = kept_.upper_bound(tick);
   return after == kept_.begin() ? nullptr : std::prev(after)->second;
 }
 
-std::shared_ptr<const RunMoment> Moments::start(uint32_t tick, uint32_t lead_ticks) const {
+std::shared_ptr<const RunSnapshot> SnapshotCache::start(uint32_t tick, uint32_t lead_ticks) const {
   const std::lock_guard lock(mutex_);
   auto it = kept_.upper_bound(tick);
   if (it == kept_.begin()) return nullptr;
@@ -66,22 +66,22 @@ std::shared_ptr<const RunMoment> Moments::start(uint32_t tick, uint32_t lead_tic
   return it->second;
 }
 
-uint32_t Moments::reach() const {
+uint32_t SnapshotCache::lastTick() const {
   const std::lock_guard lock(mutex_);
   return kept_.empty() ? 0 : kept_.rbegin()->first;
 }
 
-size_t Moments::count() const {
+size_t SnapshotCache::count() const {
   const std::lock_guard lock(mutex_);
   return kept_.size();
 }
 
-size_t Moments::bytes() const {
+size_t SnapshotCache::bytes() const {
   const std::lock_guard lock(mutex_);
   return bytes_;
 }
 
-Moments::Spacing Moments::spacing() const {
+SnapshotCache::Spacing SnapshotCache::spacing() const {
   const std::lock_guard lock(mutex_);
   return spacing_;
 }

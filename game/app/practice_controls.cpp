@@ -1,10 +1,10 @@
-#include "game/app/played_practice.h"
+#include "game/app/practice_controls.h"
 
 #include "game/ui/practice_panel.h"
 
 namespace gw {
 
-void PlayedPractice::take(PlayerInput& keys) {
+void PracticeControls::take(PlayerInput& keys) {
   const auto count = [&](Action action) {
     int times = 0;
     while (keys.pressed(action)) ++times;
@@ -19,31 +19,31 @@ void PlayedPractice::take(PlayerInput& keys) {
   clicked_ = keys.clicked();
 }
 
-void PlayedPractice::step(Screen screen, GameLoop& loop, Run& run) {
+void PracticeControls::update(Screen screen, FixedTimestep& timestep, Run& run, WorldPoint pointer) {
   constexpr float kReach_m = 3;
   if (screen == Screen::play) practice_.press(presses_);
-  loop.pacer().setSpeed(practice_.speed());
+  timestep.setSpeed(practice_.speed());
   if (screen != Screen::pause) {
     inspected_.reset();
   } else if (clicked_) {
-    const WorldPoint place = loop.underPointer();
-    inspected_ = run.simulation().inspect(place.x, place.y, kReach_m);
+    inspected_ = run.simulation().inspect(pointer.x, pointer.y, kReach_m);
   }
 }
 
-void PlayedPractice::drawPanel(Canvas& canvas, const Rules& rules, const KeyHints& keys) const {
+void PracticeControls::drawPanel(Canvas& canvas, const Rules& rules, const KeyHints& keys) const {
   drawPracticePanel(canvas, rules,
                     {practice_.type(), kPracticeCounts[practice_.number()], practice_.slow(), true, keys});
 }
 
-void PlayedPractice::drawPause(Canvas& canvas, const Rules& rules, const KeyHints& keys, bool lostPad,
-                               const GameLoop& loop) const {
+void PracticeControls::drawPause(Canvas& canvas, const Rules& rules, const KeyHints& keys, bool lostPad,
+                                 const AppServices& services) const {
   std::optional<Inspected> inspected;
-  if (inspected_) {  // where it is drawn: between its last two places
+  if (inspected_) {  // drawn between its last two positions
     const EntityRecord& e = *inspected_;
-    const float alpha = loop.pacer().alpha();
-    const CanvasPoint at =
-        loop.onCanvas({e.previous_x + (e.x - e.previous_x) * alpha, e.previous_y + (e.y - e.previous_y) * alpha});
+    const float alpha = services.timestep.alpha();
+    const CanvasPoint at = services.view.toCanvas(
+        {e.previous_x + (e.x - e.previous_x) * alpha, e.previous_y + (e.y - e.previous_y) * alpha},
+        services.window.canvasWidth());
     inspected = Inspected{e, at.x, at.y};
   }
   drawPracticePause(canvas, rules, keys, lostPad, inspected);
