@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <chrono>
 
 #include "bench/copies.h"
 #include "gpu/exec/buffer.h"
+#include "host/platform/clock.h"
 
 namespace gw::GW_DEVICE {
 namespace {
@@ -29,10 +29,10 @@ template <class CopyOnce>
 double gigabytesPerSecond(Queue& queue, size_t bytes, unsigned rounds, const CopyOnce& copyOnce) {
   double best_s = 1e9;
   for (unsigned round = 0; round < rounds; ++round) {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin_s = now_s();
     copyOnce();
     queue.synchronise();
-    best_s = std::min(best_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    best_s = std::min(best_s, now_s() - begin_s);
   }
   return double(bytes) / best_s * 1e-9;
 }

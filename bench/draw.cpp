@@ -6,7 +6,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -21,6 +20,7 @@
 #include <vector>
 
 #include "bench/machine.h"
+#include "host/platform/clock.h"
 #include "render/gl_context_egl.h"
 #include "render/grid_pass.h"
 #include "render/particle_pass.h"
@@ -34,12 +34,6 @@ constexpr PixelSize kSize{1280, 720};
 constexpr float kPixelsPerMetre = 18;  // the game's usual view, 40 m high
 constexpr Camera kCamera{96, 54, kSize.width / 2 / kPixelsPerMetre, kSize.height / 2 / kPixelsPerMetre};
 
-double processorTime_ms() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
-}
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -51,15 +45,14 @@ std::string medianFrame(int frames, GlContext& context, const std::function<void
   constexpr int kWarmUp = 5;  // shaders are compiled for the state they are first used in
   std::vector<double> passed_ms, processor_ms;
   for (int i = -kWarmUp; i < frames; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    const double processorStart_ms = processorTime_ms();
+    const double start_ms = now_ms(), processorStart_s = processTime_s();
     context.bindTarget();
     drawFrame();
     context.swap();
-    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
+    const double end_ms = now_ms();
     if (i < 0) continue;
-    passed_ms.push_back(passed.count());
-    processor_ms.push_back(processorTime_ms() - processorStart_ms);
+    passed_ms.push_back(end_ms - start_ms);
+    processor_ms.push_back(1e3 * (processTime_s() - processorStart_s));
   }
   char text[64];
   std::snprintf(text, sizeof text, "%.1f / %.1f", median(passed_ms), median(processor_ms));

@@ -12,13 +12,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <fstream>
 #include <memory>
 #include <sstream>
 
 #include "bench/machine.h"
 #include "bench/scenes.h"
+#include "host/platform/clock.h"
 
 namespace {
 
@@ -45,9 +45,9 @@ constexpr Way kWays[] = {{"exact, bitonic", Gather::exact, Sort::bitonic},
 
 template <class Work>
 double processorMilliseconds(const Work& work) {
-  const std::clock_t begin = std::clock();
+  const double begin_s = processTime_s();
   work();
-  return 1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+  return 1e3 * (processTime_s() - begin_s);
 }
 
 struct Contender {

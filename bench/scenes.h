@@ -2,11 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <vector>
 
 #include "game/sim/simulation.h"
+#include "host/platform/clock.h"
 
 namespace gw::bench {
 
@@ -17,9 +17,9 @@ inline double median(std::vector<double> values) {
 
 template <class Work>
 double milliseconds(const Work& work) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin_ms = now_ms();
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return now_ms() - begin_ms;
 }
 
 enum class Scene { uniform, swarm, mixed, horde };

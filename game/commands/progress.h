@@ -1,7 +1,6 @@
 // How far long work is, on stderr, when that is a terminal; silent otherwise.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -24,7 +23,7 @@ class Progress {
   std::string what_;
   uint64_t of_;
   bool terminal_, shown_ = false;
-  std::chrono::steady_clock::time_point next_;
+  double next_s_;
 };
 
 }  // namespace gw

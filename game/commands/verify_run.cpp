@@ -1,7 +1,6 @@
 #include "game/commands/verify_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 
 #include "game/commands/hash_file.h"
@@ -11,13 +10,12 @@
 #include "game/replay/replay_reader.h"
 #include "gpu/devices/processors.h"
 #include "gpu/exec/float_state.h"
+#include "host/platform/clock.h"
 #include "host/platform/interrupt.h"
 #include "host/platform/user_error.h"
 
 namespace gw {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 bool same(const Snapshot& a, const Snapshot& b) {
   return a.globals == b.globals && a.arrangement == b.arrangement && a.entities.size() == b.entities.size() &&
@@ -153,13 +151,13 @@ Outcome verifyReplay(const std::filesystem::path& file, const Options& options, 
       config.threads = std::max(1u, readProcessors().usable() / jobs);
     }
     Verification verification(outcome, replay, ticked);
-    const auto start = Clock::now();
+    const double start_s = now_s();
     if (options.against || !options.reference.empty()) {
       playBeside(outcome, verification, replay, config, options, device, file);
     } else {
       verification.run(*makeSimulation(device, config), options.heavy);
     }
-    outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    outcome.seconds = now_s() - start_s;
     verification.judge();
   } catch (const ReplayError& error) {
     outcome.error = error.what();

@@ -1,10 +1,10 @@
 #include "game/overlay/overlay_figures.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 
 #include "game/overlay/broad_phase_switch.h"
+#include "host/platform/clock.h"
 
 namespace gw {
 
@@ -64,10 +64,9 @@ std::optional<double> OverlayFigures::misaligned_percent() const {
 
 void FigureGatherer::look(Simulation& simulation, double now_s) {
   if (figures_.known && now_s < next_s_) return;
-  using namespace std::chrono;
-  const auto begin = steady_clock::now();
+  const double begin_s = gw::now_s();
   gather(simulation);
-  const double took_s = duration<double>(steady_clock::now() - begin).count();
+  const double took_s = gw::now_s() - begin_s;
   next_s_ = now_s + std::max(kEvery_s, took_s / kShare);
 }
 

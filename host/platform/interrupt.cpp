@@ -1,8 +1,8 @@
 #include "host/platform/interrupt.h"
 
 #include <csignal>
-#include <ctime>
 
+#include "host/platform/clock.h"
 #include "host/platform/doomed_file.h"
 
 namespace gw {
@@ -19,12 +19,6 @@ struct Caught {
 
 Caught caughtSignals[] = {{SIGINT, 0, 0}, {SIGTERM, 0, 0}, {SIGHUP, 0, 0}};
 volatile std::sig_atomic_t firstSignal = 0;
-
-double now_s() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
 
 // Only what is async-signal-safe.
 void onSignal(int signal) {

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <thread>
 
+#include "host/platform/clock.h"
+
 extern char** environ;
 
 namespace gw {
@@ -41,12 +43,11 @@ pid_t spawn(const std::vector<std::string>& arguments, const ProgramStreams& str
 }
 
 void endWithin(pid_t program, double seconds) {
-  using namespace std::chrono;
-  const auto end = steady_clock::now() + duration<double>(seconds);
-  while (steady_clock::now() < end) {
+  const double end_s = now_s() + seconds;
+  while (now_s() < end_s) {
     const pid_t ended = waitpid(program, nullptr, WNOHANG);
     if (ended == program || (ended < 0 && errno != EINTR)) return;
-    std::this_thread::sleep_for(milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   kill(-program, SIGKILL);
   waitFor(program);
