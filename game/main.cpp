@@ -9,7 +9,6 @@
 
 #include "game/cli/command_line.h"
 #include "game/commands/commands.h"
-#include "game/replay/replay.h"
 #include "gpu/exec/float_state.h"
 #include "host/platform/interrupt.h"
 #include "host/platform/user_error.h"
@@ -76,10 +75,6 @@ int main(int argc, char** argv) {
     return exitStatus(int(runVerb(parsed.options)));
   } catch (const UserError& error) {
     return fail(error.code, error.what());
-  } catch (const FileError& error) {
-    return fail(ExitCode::badFile, error.what());
-  } catch (const TableError& error) {
-    return fail(ExitCode::badFile, error.what());
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::failedRun, "There is not enough memory: choose a smaller --enemies.");
   } catch (const std::exception& error) {

@@ -7,18 +7,18 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "game/cli/command_line_text.h"
+#include "host/platform/user_error.h"
 
 namespace gw {
 
 // One sentence with a remedy.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct UsageError : UserError {
+  explicit UsageError(const std::string& sentence) : UserError(ExitCode::badUsage, sentence) {}
 };
 
 // One of the words an option takes.

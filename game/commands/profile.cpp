@@ -135,16 +135,9 @@ ExitCode profileGame(const Options& options) {
     const std::string why = baseline ? whyNotComparable(setup, baseline->setup) : "";
     if (!why.empty()) throw UserError(ExitCode::badFile, why);
   };
-  const auto made = [&] {
-    try {
-      return session.run(
-          comparable, [&](auto&&... run) { outputs.take(run...); },
-          [&](const SessionProgress& now) { return outputs.show(now); });
-    } catch (const SceneDesync& error) {
-      throw UserError(ExitCode::desync, std::string(error.what()) + ".");
-    }
-  };
-  const Report report = made();
+  const Report report = session.run(
+      comparable, [&](auto&&... run) { outputs.take(run...); },
+      [&](const SessionProgress& now) { return outputs.show(now); });
   outputs.finishFrames();
   const std::string note = writeReport(report, options.outPath);
   for (const std::string& sentence : summaryOf(report)) std::printf("%s\n", sentence.c_str());

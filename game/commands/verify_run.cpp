@@ -159,12 +159,6 @@ Outcome verifyReplay(const std::filesystem::path& file, const Options& options, 
     }
     outcome.seconds = now_s() - start_s;
     verification.judge();
-  } catch (const ReplayError& error) {
-    outcome.error = error.what();
-    outcome.code = ExitCode::badFile;
-  } catch (const TableError& error) {
-    outcome.error = error.what();
-    outcome.code = ExitCode::badFile;
   } catch (const UserError& error) {
     outcome.error = error.what();
     outcome.code = error.code;

@@ -5,15 +5,15 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
-#include <stdexcept>
 
 #include "game/desync/probe.h"
+#include "host/platform/user_error.h"
 
 namespace gw {
 
 // The other program cannot be asked, or does not answer: one sentence with a remedy.
-struct ProbeError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct ProbeError : UserError {
+  explicit ProbeError(const std::string& sentence) : UserError(ExitCode::failedRun, sentence) {}
 };
 
 class ChildProcess;

@@ -4,14 +4,15 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
+
+#include "host/platform/user_error.h"
 
 namespace gw {
 
 // One sentence: file, line, key, what is wrong, and what to do about it.
-struct TableError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct TableError : UserError {
+  explicit TableError(const std::string& sentence) : UserError(ExitCode::badFile, sentence) {}
 };
 
 struct RuleText {

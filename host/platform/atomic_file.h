@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
+
+#include "host/platform/user_error.h"
 
 namespace gw {
 
 // One sentence: the file, what is wrong with it, and what to do about it.
-struct FileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct FileError : UserError {
+  explicit FileError(const std::string& sentence) : UserError(ExitCode::badFile, sentence) {}
 };
 
 // Both throw FileError.

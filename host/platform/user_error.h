@@ -1,4 +1,4 @@
-// What a user can do something about: one sentence with a remedy, and the exit code that goes with it.
+// The base of all errors that a user can correct: one sentence with a remedy, and the exit code of the program.
 #pragma once
 
 #include <stdexcept>

@@ -57,6 +57,8 @@ std::string writeReport(const Report& report, const fs::path& folder) {
     for (const Plot& plot : plots) {
       if (!writePngOf(plot.svg, folder / "plots" / (plot.name + ".png"))) return kNoPng;
     }
+  } catch (const FileError&) {  // a report that is not whole is no report
+    throw;
   } catch (const UserError& error) {
     return error.what();
   }

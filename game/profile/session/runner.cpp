@@ -141,7 +141,7 @@ void Runner::check(const TickReport& report) const {
   if (report.hash == recorded) return;
   throw SceneDesync(
       fmt::format("{}, played by {}, differs from its recording from tick {} on, so its times compare nothing: find "
-                  "out more with 'gpuwars verify'",
+                  "out more with 'gpuwars verify'.",
                   scene_.name, contender_, report.tick));
 }
 
@@ -149,7 +149,7 @@ void Runner::check(const TickReport& report) const {
 void Runner::tick(Run& run) const {
   const uint32_t next = run.last().tick;
   if (!run.tick(scene_.replay.inputs[next])) {
-    throw SceneDesync(fmt::format("{} is over after {} ticks, and its recording goes on: cut it with 'gpuwars trim'",
+    throw SceneDesync(fmt::format("{} is over after {} ticks, and its recording goes on: cut it with 'gpuwars trim'.",
                                   scene_.name, next));
   }
   check(run.last());

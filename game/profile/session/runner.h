@@ -2,12 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 
 #include "game/profile/metrics/frame.h"
 #include "game/profile/session/contender_choice.h"
 #include "game/profile/session/picture.h"
 #include "game/profile/session/scene.h"
+#include "host/platform/user_error.h"
 
 namespace gw::profile {
 
@@ -18,8 +18,8 @@ struct RunPlan {
 };
 
 // The scene did not play as it was recorded.
-struct SceneDesync : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct SceneDesync : UserError {
+  explicit SceneDesync(const std::string& sentence) : UserError(ExitCode::desync, sentence) {}
 };
 
 struct PlayedRun {
