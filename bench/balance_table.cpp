@@ -57,6 +57,7 @@ double quantile(const std::vector<double>& values, double at) {
 
 std::vector<double> sorted(const std::vector<BalanceRun>& runs, const std::function<double(const BalanceRun&)>& value) {
   std::vector<double> values;
+  values.reserve(runs.size());
   for (const BalanceRun& run : runs) values.push_back(value(run));
   std::sort(values.begin(), values.end());
   return values;

@@ -32,7 +32,7 @@ namespace {
 
 constexpr PixelSize kSize{1280, 720};
 constexpr float kPixelsPerMetre = 18;  // the game's usual view, 40 m high
-constexpr Camera kCamera{96, 54, kSize.width / 2 / kPixelsPerMetre, kSize.height / 2 / kPixelsPerMetre};
+constexpr Camera kCamera{96, 54, float(kSize.width) / 2 / kPixelsPerMetre, float(kSize.height) / 2 / kPixelsPerMetre};
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + ptrdiff_t(values.size() / 2);

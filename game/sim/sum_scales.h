@@ -1,5 +1,5 @@
-// The scales of the game's sums over neighbours (gpu/math/fixed_sum.h): units per physical unit, each a power of two, so
-// that scaling is exact. What a term can reach before it is clamped is 2^30 / scale. Another scale is another game.
+// The scales of the game's sums over neighbours (gpu/math/fixed_sum.h): units per physical unit, each a power of two,
+// so that scaling is exact. What a term can reach before it is clamped is 2^30 / scale. Another scale is another game.
 #pragma once
 
 #include "gpu/exec/device.h"
