@@ -80,7 +80,7 @@ struct Control {
 };
 
 struct Bindings {
-  // What does what when nobody changed it.
+  // What does what unless it was changed.
   Bindings();
 
   std::vector<uint16_t>& codes(InputDevice device, Action action) { return of[uint32_t(device)][uint32_t(action)]; }

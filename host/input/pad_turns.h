@@ -34,7 +34,7 @@ class PadTurns {
     return true;
   }
 
-  // The pad went away: nobody waits for it.
+  // The pad went away: it is not waited for.
   void forget(SDL_JoystickID pad) {
     if (turn_ == pad) turn_.reset();
   }

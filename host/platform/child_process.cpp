@@ -13,7 +13,7 @@
 namespace gw {
 namespace {
 
-constexpr int kAsk_ms = 100;      // between two looks whether anybody still wants to wait
+constexpr int kAsk_ms = 100;      // between two looks whether to go on waiting
 constexpr double kGrace_s = 2.0;  // to end by itself once it is not asked any more
 
 // Writing to a pair of sockets can be told not to raise SIGPIPE; both ends vanish when a program is started.

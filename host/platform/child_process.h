@@ -21,7 +21,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // False when it has ended, or nobody wants to wait for it any longer.
+  // False when it has ended, or waiting was given up.
   bool writeLine(const std::string& line);
   bool readLine(std::string& line);
 

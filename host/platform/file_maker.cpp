@@ -26,8 +26,8 @@ std::string plainPackage(const FileMaker& maker) {
       maker.package);
 }
 
-// What helps against `error`, and a comma; nothing when nobody knows. This program has made the file just before, so a
-// folder that the other one does not find, or may not write to, is one that is kept from it.
+// What helps against `error`, and a comma; nothing when that is not known. This program has made the file just before,
+// so a folder that the other one does not find, or may not write to, is one that is kept from it.
 std::string programRemedy(const FileMaker& maker, int error) {
   switch (error) {
     case ENOENT:
@@ -71,7 +71,7 @@ std::string madeNothing(const FileMaker& maker, const std::filesystem::path& pat
 
 std::string madeSomethingElse(const FileMaker& maker, const std::filesystem::path& path, const char* what) {
   return fmt::format(
-      "{} ended well but what it wrote to {} is not {}, whole: install it anew (Debian, Ubuntu: apt "
+      "{} ended well but what it wrote to {} is not {}, whole: reinstall it (Debian, Ubuntu: apt "
       "install --reinstall {}), or {}.",
       maker.program, path.string(), what, maker.package, maker.otherwise);
 }

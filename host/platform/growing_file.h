@@ -13,7 +13,7 @@ class GrowingFile {
  public:
   // Makes TARGET.part-PID-N. Throws FileError about `path` when it cannot.
   explicit GrowingFile(const std::filesystem::path& path);
-  // The file stays, as a killed program leaves it; whoever wants it gone says remove().
+  // The file stays, as a killed program leaves it; remove() deletes it.
   ~GrowingFile();
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;

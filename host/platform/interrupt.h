@@ -1,4 +1,4 @@
-// Ctrl-C, SIGTERM and a terminal that is closed, as a wish: long work looks now and then whether somebody wants it to
+// Ctrl-C, SIGTERM and a terminal that is closed, as a wish: long work looks now and then whether it was asked to
 // end, and ends cleanly.
 #pragma once
 

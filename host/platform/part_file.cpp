@@ -44,7 +44,7 @@ namespace {
 // of owner may take some away.
 void takeAfter(int part, const struct stat& old) {
   if (fchown(part, old.st_uid, old.st_gid) != 0) {
-    (void)!fchown(part, uid_t(-1), old.st_gid);  // nobody gives files away; a group of one's own may be
+    (void)!fchown(part, uid_t(-1), old.st_gid);  // owners cannot be changed; the group may be, to one of the user's
   }
   fchmod(part, old.st_mode & 07777);
 }

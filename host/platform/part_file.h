@@ -1,4 +1,4 @@
-// The temporary file beside a target, which becomes the target, is removed, or is left for somebody to find.
+// The temporary file beside a target, which becomes the target, is removed, or is left to be found.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct OpenPart {
   std::string name;
 };
 
-// Makes TARGET.part-PID-N with the first free N, so that nobody's file is overwritten. It has the permissions of the
+// Makes TARGET.part-PID-N with the first free N, so that no file is overwritten. It has the permissions of the
 // file that it is to replace, and its owner where that may be given. Throws FileError about `shown`.
 OpenPart openPart(const std::filesystem::path& shown, const std::filesystem::path& target);
 
@@ -33,7 +33,7 @@ OpenPart openPart(const std::filesystem::path& shown, const std::filesystem::pat
 void becomeTarget(OpenPart& part, const std::filesystem::path& shown, const std::filesystem::path& target,
                   Sync sync = Sync::now);
 
-// A part that nobody wants unless it is whole: removed on destruction, and by removeDoomedFiles(), unless it became the
+// A part that is of no use unless it is whole: removed on destruction, and by removeDoomedFiles(), unless it became the
 // target.
 class PartFile {
  public:

@@ -58,7 +58,7 @@ int waitFor(pid_t program) {
   pid_t ended;
   while ((ended = waitpid(program, &status, 0)) < 0 && errno == EINTR) {
   }
-  if (ended < 0) return 128;  // somebody else has heard of its end, so nobody knows how it went
+  if (ended < 0) return 128;  // other code has waited for it, so its status is lost
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-// Nested values are counted by toml++; nested dotted keys are bounded by whoever bounds the lines. Together they
-// bound the recursion of parsing and destruction, whatever text comes along.
+// Nested values are counted by toml++; nested dotted keys are bounded by the caller, who bounds the lines. Together
+// they bound the recursion of parsing and destruction, whatever text comes along.
 #define TOML_HEADER_ONLY 0
 #define TOML_EXCEPTIONS 1
 #define TOML_MAX_NESTED_VALUES 16
@@ -30,7 +30,7 @@ struct TomlError : std::runtime_error {
   uint32_t line;  // from 1
 };
 
-// The document of a text that somebody wrote. Throws TomlError, and nothing else of toml++'s.
+// The document of a text. Throws TomlError, and nothing else of toml++'s.
 toml::table parseToml(std::string_view text);
 
 }  // namespace gw

@@ -18,7 +18,7 @@ class FrameSink {
 };
 
 // By the name: .mp4 is a film, .png one picture (the last that is added), anything else a folder. Whatever can be
-// known to go wrong is said here, before anything is drawn: throws UserError or FileError.
+// known to go wrong is reported here, before anything is drawn: throws UserError or FileError.
 std::unique_ptr<FrameSink> openFrameSink(const std::filesystem::path& out, PixelSize size, uint32_t framesPerSecond);
 
 bool isOnePicture(const std::filesystem::path& out);
