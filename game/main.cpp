@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
     return parsed.error.empty() ? int(parsed.code) : fail(parsed.code, parsed.error);
   }
   std::signal(SIGCHLD, SIG_DFL);  // else the ends of programs that it starts may be kept from it
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is a write that fails, and is said in a sentence
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is a write that fails, and is reported in a sentence
   try {
     return exitStatus(int(runVerb(parsed.options)));
   } catch (const UserError& error) {

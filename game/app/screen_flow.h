@@ -15,10 +15,10 @@ struct FlowInput {
   bool settingsDone = false;
   bool lostFocus = false;
   bool lostPad = false;   // the controller in use went away
-  bool botPlays = false;  // nobody's hands are missed then
+  bool botPlays = false;  // lost pads do not matter then
   bool inRun = false;     // a run waits: where the settings lead back to
   bool runOver = false;
-  bool endsAlone = false;  // nobody looks at the result, or plays again
+  bool endsAlone = false;  // no look at the result, no further game
   double shown_s = 0;      // how long this screen has been shown
 };
 

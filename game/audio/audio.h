@@ -17,7 +17,7 @@ class Audio {
  public:
   using OpenMixer = std::function<std::unique_ptr<Mixer>(const SoundBank&)>;
 
-  // Opens the device at the first update() that is not muted, so whoever mutes never opens one.
+  // Opens the device at the first update() that is not muted, so a muted game never opens one.
   Audio(const std::filesystem::path& assets, const Settings::Sound& settings, bool muted, OpenMixer open = openMixer,
         Say say = sayOnStderr);
   ~Audio();

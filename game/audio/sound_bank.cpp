@@ -63,7 +63,7 @@ void load(Clip& clip, const fs::path& path, const Say& say) {
     clip = parseWav(readFile(path));
   } catch (const std::runtime_error& problem) {
     say("The sound " + path.string() + " " + problem.what() +
-        ", so the game goes on without it: restore it, or make it anew with tools/make_sounds.py.");
+        ", so the game goes on without it: restore it, or make it again with tools/make_sounds.py.");
   }
 }
 
@@ -103,7 +103,7 @@ SoundBank loadSounds(const fs::path& folder, const Say& say) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     say("The folder " + folder.string() +
-        " is missing, so the game goes on without its sounds: restore it, or make it anew with tools/make_sounds.py.");
+        " is missing, so the game goes on without its sounds: restore it, or make it again with tools/make_sounds.py.");
     return bank;
   }
   for (uint32_t s = 0; s < kSounds; ++s) {

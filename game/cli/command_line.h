@@ -55,7 +55,7 @@ struct Options {
 
   // replay
   double speed = 1;        // times real time
-  bool quitAtEnd = false;  // nobody needs to leave it by hand
+  bool quitAtEnd = false;  // it leaves by itself
 
   // replay, render
   std::optional<uint32_t> fromTick;

@@ -99,7 +99,7 @@ void VerbOptions::addGame() {
                   [&](uint64_t v) { options_.seed = v; });
   values_.integer("--enemies", "how many live enemies fit (8192)", 1, kMaxEnemies,
                   [&](uint64_t v) { options_.enemies = uint32_t(v); });
-  values_.choice("--autopilot", kAutopilots, "who plays instead of you", "nobody",
+  values_.choice("--autopilot", kAutopilots, "who plays instead of you", "no bot",
                  [&](uint32_t v) { options_.autopilot = Autopilot(v); });
   values_.integer("--ticks", "end after so many ticks of 1/60 s", 1, kMaxTicks,
                   [&](uint64_t v) { options_.ticks = uint32_t(v); });

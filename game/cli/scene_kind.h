@@ -7,7 +7,7 @@ namespace gw::profile {
 
 enum class SceneKind : uint32_t {
   fiveMinutes,  // as many enemies as fit, and every loss made good, for 18,000 ticks: the thesis's game figure
-  ramp,         // from nobody to as many as fit, steadily
+  ramp,         // from none to as many as fit, steadily
   swarm,        // all at once, until they or the ship are gone
   menu,         // what moves behind the title
 };

@@ -1,5 +1,5 @@
 // gpuwars probe FILE: plays a recorded run as it is asked to, line by line, and says what it sees; the other end of
-// 'gpuwars verify --reference'. docs/design/determinism.md tells what for, game/desync/probe_protocol.h what is said.
+// 'gpuwars verify --reference'. docs/design/determinism.md tells what for, game/desync/probe_protocol.h the messages.
 #include <iostream>
 
 #include "game/commands/commands.h"

@@ -13,10 +13,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Takes its line away, so that something else can be said there.
+  // Takes its line away, so that something else can be printed there.
   void clear();
 
-  // Cheap: writes a few times a second. `more` is said behind it.
+  // Cheap: writes a few times a second. `more` is printed behind it.
   void show(uint64_t done, const std::string& more = {});
 
  private:

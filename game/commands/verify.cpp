@@ -29,7 +29,7 @@ ExitCode worst(const std::vector<Outcome>& outcomes) {
   return code;
 }
 
-// Outcomes are said in the order the files were given, as soon as all before them are known.
+// Outcomes are printed in the order the files were given, as soon as all before them are known.
 std::vector<Outcome> verifyAll(const Options& options, const DeviceChoice& device, bool quiet) {
   const size_t count = options.files.size();
   std::vector<Outcome> outcomes(count);

@@ -18,7 +18,7 @@ std::string typeName(uint64_t type, const Rules& rules) {
   if (type < rules.enemyTypeCount) return rules.enemies[type].name;
   if (type == kTypeShot) return "shot";
   if (type == kTypeBit) return "bit";
-  return type == kTypeNone ? "nobody" : fmt::format("type {}", type);
+  return type == kTypeNone ? "none" : fmt::format("type {}", type);
 }
 
 // As a number and as bits.
@@ -37,7 +37,7 @@ std::string nearText(const std::vector<NearEntity>& near, const Rules& rules) {
     line += fmt::format("{}{} {} at {:.3f} m", line.empty() ? "" : ", ", entity.id, typeName(entity.type, rules),
                         entity.distance_m);
   }
-  return line.empty() ? "nobody" : line;
+  return line.empty() ? "none" : line;
 }
 
 // The two values of each field of the entity, those that differ marked.
@@ -103,7 +103,7 @@ std::string desyncText(const Desync& desync, const DesyncNames& names) {
   if (desync.stage.empty()) {
     return lines +
            "  Played again, from the last snapshot and from the start, the two were equal: something that is no "
-           "state, as a race or memory that nobody wrote, made them part.\n";
+           "state, as a race or uninitialised memory, made them part.\n";
   }
   lines += fmt::format("  stage         {}\n", desync.stage);
   if (desync.fromStart) {

@@ -41,7 +41,7 @@ class RemoteProbe final : public Probe {
  private:
   template <class Read>
   auto ask(const nlohmann::json& question, const Read& read);
-  void refuseToWait() const;  // throws when nobody waits any longer
+  void refuseToWait() const;  // throws when waiting was given up
   ProbeError answeredElse() const;
 
   std::string program_, name_;

@@ -1,9 +1,9 @@
 // Sudden light over the whole picture: a red edge at a contact, a blue-white brightening at the flush. Drawn
 // behind everything that lives, so that it hides nothing.
 //
-// Safe for those whom flashing hurts: WCAG 2.3.1 allows three flashes in any second. A flash begins at least
+// Safe for photosensitive players: WCAG 2.3.1 allows three flashes in any second. A flash begins at least
 // kApart_ticks after the one before it, else it is left out: never more than three begin within a second.
-// Whoever plays ticks faster than 60 a second must not show flashes at all.
+// Code that plays ticks faster than 60 a second must not show flashes at all.
 #pragma once
 
 #include "game/effects/effect_time.h"

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kWearsOff_per_tick = 0.025f;  // full trauma is gone in 40 ticks
 constexpr float kTurns_per_tick = 0.28f;      // new directions: 17 a second, under what a 60 Hz screen can show
-constexpr uint32_t kHeavy = 100;              // value of a kill that is felt
+constexpr uint32_t kHeavy = 100;              // value of a kill that shakes visibly
 
 // -1 to 1, the same for the same step on every machine.
 float noise(uint32_t step, uint32_t axis) {

@@ -1,5 +1,5 @@
 // Screen shake by trauma: what happens adds to it, it wears off steadily, and the picture moves by its square,
-// so that small things are hardly felt and large ones are. Moves what is drawn, never what is aimed at.
+// so that small things hardly show and large ones do. Moves what is drawn, never what is aimed at.
 #pragma once
 
 #include "game/effects/effect_time.h"

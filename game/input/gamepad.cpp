@@ -80,7 +80,7 @@ void Gamepad::moveAxis(const SDL_ControllerAxisEvent& event, PadTurns& turns) {
     int16_t& stick = from.sticks[event.axis];
     const bool was = std::abs(axisShare(stick)) > kTakesOver, is = std::abs(axisShare(event.value)) > kTakesOver;
     stick = event.value;
-    // Pushing it is a press; a stick that is held out moves all the time, and keeps nobody else from pressing.
+    // Pushing it is a press; a stick that is held out moves all the time, and keeps no other pad from pressing.
     if (is && (was ? turns.mayPress(from.id, event.timestamp) : turns.press(from.id, event.timestamp))) use(from);
   }
 }

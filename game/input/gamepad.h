@@ -24,7 +24,7 @@ float axisShare(int16_t raw);
 
 // What the game takes from a stick. Within `deadZone` (a share of full deflection) of the centre it is exactly 0;
 // from there the length grows from 0 to 1, in the stick's own direction, and nothing leaves the unit disc, whatever
-// square the hardware reports. What is not a finite number counts as a stick that nobody touches.
+// square the hardware reports. What is not a finite number counts as an untouched stick.
 Stick shapeStick(float x, float y, float deadZone);
 
 // A component from -1 to 1 as an InputRecord holds it: to the nearest step, symmetric; -32768 never comes out.
@@ -55,7 +55,7 @@ class Gamepad {
   // Forgets taps and the hold on flush: the button that starts a run does not flush in it.
   void beginPlay();
 
-  // Neutral until something moves anew: what is held now counts as released.
+  // Neutral until something moves again: what is held now counts as released.
   void releaseAll();
 
   bool plays() const { return playing_.has_value(); }

@@ -37,7 +37,7 @@ class KeyboardMouse {
 
   // True once per press of the key (repeats do not count).
   bool pressed(Action action);
-  // Forgets presses that nobody asked for, so that none acts on the next screen.
+  // Forgets presses that were not asked for, so that none acts on the next screen.
   void forgetPresses();
 
   // Forgets taps and the hold on flush: the space that starts a run does not flush in it.
@@ -81,7 +81,7 @@ class KeyboardMouse {
   bool lostFocus_ = false, clicked_ = false;
   uint32_t number_ = 0;
   int wheel_ = 0;
-  uint16_t aim_ = 16384;  // up, until somebody aims
+  uint16_t aim_ = 16384;  // up, until the player aims
 };
 
 }  // namespace gw

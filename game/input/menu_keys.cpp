@@ -21,7 +21,7 @@ int pushed(float share, int before) {
 
 }  // namespace
 
-// What was pushed anew.
+// What is newly pushed.
 MenuKeys::Direction MenuKeys::changed(Direction before, Direction now) {
   return {now.x != before.x ? now.x : 0, now.y != before.y ? now.y : 0};
 }

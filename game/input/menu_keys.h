@@ -1,5 +1,5 @@
 // What moves about in menus, whatever is bound to what: arrow keys, Enter and Escape; a pad's cross and left stick,
-// A and B. So nobody can bind his way out of the settings.
+// A and B. So no binding locks players out of the settings.
 #pragma once
 
 #include <SDL_events.h>

@@ -40,7 +40,7 @@ void PlayerInput::handle(const SDL_Event& event) {
     padInUse_ |= used && pad_.plays();
   }
   if (pad_.lost()) {
-    lostPad_ |= padInUse_;  // nobody misses a pad that he laid aside for the keyboard
+    lostPad_ |= padInUse_;  // a pad laid aside for the keyboard is not missed
     if (padInUse_) keys_.releaseAll();
     padInUse_ = false;
   }

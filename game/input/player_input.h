@@ -1,6 +1,6 @@
 // Keyboard, mouse and game controllers as one player.
 //
-// Moves add up and stay within the unit disc, so nobody has to say what he plays with. The aim belongs to who aimed
+// Moves add up and stay within the unit disc, so no player has to choose a device. The aim belongs to who aimed
 // last: a deflected stick overrules the arrow keys, both overrule the mouse until it moves again.
 #pragma once
 
@@ -33,9 +33,9 @@ class PlayerInput {
   // True once per press.
   bool pressed(Action action);
   MenuPresses menu(double now_s) { return menu_.take(now_s); }
-  // Forgets presses that nobody asked for, so that none acts on the next screen.
+  // Forgets presses that were not asked for, so that none acts on the next screen.
   void forgetPresses();
-  // Play begins or goes on: what was tapped in a menu is forgotten, and a key that flushes must be pressed anew. A
+  // Play begins or goes on: what was tapped in a menu is forgotten, and a key that flushes must be pressed again. A
   // held move goes on.
   void beginPlay();
 

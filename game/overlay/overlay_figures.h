@@ -16,7 +16,7 @@ struct StageFigure {
 };
 
 struct OverlayFigures {
-  bool known = false;  // false: nobody has looked yet
+  bool known = false;  // false: not counted yet
   std::string device;
   size_t deviceBytes = 0;
   uint32_t enemiesThatFit = 0;
@@ -29,7 +29,7 @@ struct OverlayFigures {
   CandidateCount candidates;
 
   double stages_ms() const;            // of a tick, all together
-  double candidatesPerEntity() const;  // 0 when nobody searched
+  double candidatesPerEntity() const;  // 0 when none searched
   double neighboursPerEntity() const;  // the same
   uint32_t liveEnemies() const;
   // The share of those in an NGrid that stood before their predecessor, in percent; none where there is no NGrid.

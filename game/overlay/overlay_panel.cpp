@@ -88,7 +88,7 @@ void drawNeighbours(const OverlayFigures& figures) {
     say(fmt::format("candidates per entity {:9.1f}", figures.candidatesPerEntity()));
     say(fmt::format("neighbours per entity {:9.1f}", figures.neighboursPerEntity()));
   } else {
-    sayQuietly("candidates: nobody searched, or too many");
+    sayQuietly("candidates: none searched, or too many");
   }
   if (const auto misaligned = figures.misaligned_percent()) {
     say(fmt::format("misaligned in NGrid   {:9.1f} %", *misaligned));

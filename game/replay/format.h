@@ -41,7 +41,7 @@ inline constexpr size_t kEndBytes = 8;
 inline constexpr uint32_t kMaxStoredFields = 64;
 
 // A block is what INPT, HASH and FLDS chunks hold of the run, one after the other: a file that is cut has lost the
-// block it was cut in and what follows. A minute in a whole file, a second in one that grows while somebody plays.
+// block it was cut in and what follows. A minute in a whole file, a second in one that grows during play.
 inline constexpr uint32_t kTicksPerBlock = 60 * kTicksPerSecond;
 inline constexpr uint32_t kTicksPerGrowingBlock = kTicksPerSecond;
 static_assert(kTicksPerBlock % kFieldHashesEvery_ticks == 0 && kTicksPerGrowingBlock % kFieldHashesEvery_ticks == 0);

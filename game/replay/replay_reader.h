@@ -18,7 +18,7 @@ enum class SimulationVersions {
 
 enum class Completeness {
   whole,    // a file that was cut, or whose writer died, is refused with the remedy
-  partial,  // what is whole of it is read: Replay::whole says whether that is all. For whoever watches or mends
+  partial,  // what is whole of it is read: Replay::whole says whether that is all. For watching or mending
 };
 
 // Throws ReplayError. The most it allocates at a time, whatever the file says: the file's own size, and 32 MiB.

@@ -1,4 +1,4 @@
-// What is wrong in a replay file, said by whoever finds it.
+// What is wrong in a replay file, from the code that finds it.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// A camera that goes where whoever watches a replay wants to look. Drawing only.
+// A camera that goes where the viewer of a replay wants to look. Drawing only.
 #pragma once
 
 #include <algorithm>

@@ -91,7 +91,7 @@ bool ViewerKeys::handle(const SDL_Event& event) {
     }
     case SDL_KEYUP:
       if (const int cross = crossIndex(event.key.keysym.scancode); cross >= 0) held_[cross] = false;
-      return false;  // a release harms nobody
+      return false;  // a release does no harm
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
       if (event.button.button != SDL_BUTTON_LEFT) return true;

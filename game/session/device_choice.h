@@ -29,7 +29,7 @@ void sayWhy(const DeviceChoice& device);
 // cuda fails at the start, says so on stderr and takes the cpu.
 std::unique_ptr<Simulation> makeSimulation(const DeviceChoice& device, const SimulationConfig& config);
 
-// The same for a game that somebody plays: one that goes on with the cpu when its device fails, and says so on stderr.
+// The same for a game that is played: one that goes on with the cpu when its device fails, and says so on stderr.
 std::unique_ptr<Simulation> makeLastingSimulation(const DeviceChoice& device, const SimulationConfig& config);
 
 // The rules and options that a run is made of: what the command line says about how to compute it.
@@ -39,8 +39,8 @@ void setComputing(SimulationConfig& config, const Options& options);
 // command line asks for another game than the one in the file.
 void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file);
 
-// How neighbours are found, when that is felt: "adaptive gather, bitonic sort"; empty for an exact game. No sort: the
-// usual one.
+// How neighbours are found, when that changes the game: "adaptive gather, bitonic sort"; empty for an exact game. No
+// sort: the usual one.
 std::string neighboursText(Gather gather, std::optional<Sort> sort);
 
 }  // namespace gw

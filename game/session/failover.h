@@ -5,7 +5,7 @@
 //   kept         snapshot + inputs       snapshot + inputs
 //   next device                          120 ▷▷▷▷▷▷▷▷▷▷▷▷▷▷ 171 172 ...  restored, computed again, and on
 //
-// Whoever draws must look at onCuda() every frame: what the draw lists are written into belongs to one device.
+// Code that draws must look at onCuda() every frame: what the draw lists are written into belongs to one device.
 #pragma once
 
 #include <deque>

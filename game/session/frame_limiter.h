@@ -14,10 +14,10 @@ class FrameLimiter {
   // Of a hidden window, which draws nothing. Three ticks each: FixedTimestep::kMostTicksPerFrame lets no tick be lost.
   static constexpr double kHiddenPeriod_s = 1.0 / 20;
 
-  // Frames a second of the screen; 0 or less: nobody knows.
+  // Frames a second of the screen; 0 or less: not known.
   void setScreenRate(double perSecond) { rate_ = perSecond; }
 
-  // At the end of a frame: for how long to wait. waits: showing it has waited, or is said to have.
+  // At the end of a frame: for how long to wait. waits: showing it has waited, or claims to have.
   double wait_s(double now_s, bool waits, bool hidden);
 
  private:
@@ -26,7 +26,7 @@ class FrameLimiter {
   static constexpr uint32_t kQuickFrames = 8;
   static constexpr double kQuick = 0.8;
   static constexpr double kDoubt_s = 5;
-  // An unknown screen: 60 where it does not wait; where it is said to, no slower than fast ones are.
+  // An unknown screen: 60 where it does not wait; where it claims to, no slower than fast ones are.
   static constexpr double kUsualRate = 60, kFastRate = 240;
 
   bool trusted(double now_s, double passed_s);

@@ -1,4 +1,4 @@
-// The replay that somebody wants to see, and the ticks of it that the command line names.
+// The replay that is to be shown, and the ticks of it that the command line names.
 #pragma once
 
 #include "game/cli/command_line.h"

@@ -38,7 +38,7 @@ class RunFactory {
   uint32_t recordings_ = 0;
 };
 
-// A seed nobody chose.
+// A seed by chance.
 uint64_t randomSeed();
 
 }  // namespace gw

@@ -16,7 +16,7 @@ bool inMenus(Action action) {
   return action >= Action::pause && action <= Action::mute;
 }
 
-// Space may flush in play and start on the title; nobody can mean both at once.
+// Space may flush in play and start on the title; both cannot be meant at once.
 bool atOnce(Action a, Action b) {
   return (inPlay(a) && inPlay(b)) || (inMenus(a) && inMenus(b));
 }

@@ -23,9 +23,9 @@ class SettingsFile {
   Settings read(std::vector<std::string>& sentences) const;
 
   // Reads the file again and puts into it what differs between `before` and `now`, and what an earlier write() could
-  // not; all else in it stays as somebody may have written it meanwhile. Writes it whole or not at all. A file that
-  // had wrong values, or that cannot be changed in its place, is first kept beside it as settings.toml.bad (or .bad-2
-  // and so on). Adds a sentence when that was done, and one when nothing could be written.
+  // not; all else in it stays as another program may have written it meanwhile. Writes it whole or not at all. A file
+  // that had wrong values, or that cannot be changed in its place, is first kept beside it as settings.toml.bad (or
+  // .bad-2 and so on). Adds a sentence when that was done, and one when nothing could be written.
   void write(const Settings& before, const Settings& now, std::vector<std::string>& sentences);
 
   const std::filesystem::path& path() const { return path_; }

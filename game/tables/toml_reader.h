@@ -1,6 +1,6 @@
 // One TOML table, read key by key with checks: every getter refuses a missing key, a value of another
 // kind and a value out of its range by throwing TableError with file, line and key. done() then refuses
-// the keys that nobody asked for.
+// the keys that were not asked for.
 #pragma once
 
 #include <cstdint>

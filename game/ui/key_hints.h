@@ -17,7 +17,7 @@ struct KeyHints {
               pan = "WASD";
 };
 
-// The keys, or the pad's buttons; where a pad has none the keys. Asked anew for every picture, so that another layout
+// The keys, or the pad's buttons; where a pad has none the keys. Asked again for every picture, so that another layout
 // shows at once. Builds with a window only.
 KeyHints keyHints(const Bindings& bindings, bool pad);
 

@@ -13,7 +13,7 @@ struct PracticeFrame {
   uint32_t type = 0;
   uint32_t count = 1;
   bool slow = false;
-  bool keysShown = true;  // false: somebody else's practice, in a replay
+  bool keysShown = true;  // false: a recorded practice, in a replay
   KeyHints keys{};
 };
 

@@ -1,4 +1,4 @@
-// The shapes of the enemy types, small, as lines: on screens too nobody is told apart by colour alone.
+// The shapes of the enemy types, small, as lines: on screens too no type is told apart by colour alone.
 #pragma once
 
 #include "game/sim/rules.h"

@@ -18,7 +18,7 @@ struct CameraRules {
   float pastWalls_m = 4;        // most that is shown beyond a wall
 };
 
-// A view that somebody chose.
+// A view that was chosen.
 struct CameraPlace {
   float x = 0, y = 0;   // of the middle, m
   float height_m = 40;  // of the world, from the top of the window to the bottom

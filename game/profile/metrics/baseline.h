@@ -18,7 +18,8 @@
 
 namespace gw::profile {
 
-// Sessions differ by what no run of them shows: where memory lies, what else was started. Below this, nothing is said.
+// Sessions differ by what no run of them shows: where memory lies, what else was started. Below this, nothing is
+// reported.
 inline constexpr double kLeastChange = 0.01;
 
 // How often the gate may fail where nothing changed.

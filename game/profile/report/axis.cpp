@@ -15,7 +15,7 @@ namespace {
 constexpr double kAboutTicks = 6;
 constexpr double kMostDecadesInSteps = 3.5;  // of more only powers of ten are named
 constexpr double kMostPowers = 10;           // and of more than these not every one
-constexpr double kLeastPositive = 1e-12;     // nobody measures less
+constexpr double kLeastPositive = 1e-12;     // below what can be measured
 constexpr double kSlack = 1e-9;              // of a step, for sums that are not exact
 
 std::string tickText(double value) {

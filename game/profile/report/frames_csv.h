@@ -13,7 +13,7 @@
 
 namespace gw::profile {
 
-// Grows beside its target and takes its name when finished: whoever sees frames.csv sees all of it. A program that is
+// Grows beside its target and takes its name when finished: a frames.csv is always whole. A program that is
 // killed leaves FRAMES.part-PID-N with the rows up to the last mebibyte; one that is not finished leaves nothing.
 class FramesCsv {
  public:

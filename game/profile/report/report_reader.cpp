@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
                   file.string(), why));
 }
 
-// A key as a sentence may hold it: somebody's own may have anything in it.
+// A key as a sentence may hold it: a user's own may have anything in it.
 std::string shown(std::string key) {
   for (char& c : key) {
     if (static_cast<unsigned char>(c) < ' ') c = '?';

@@ -12,7 +12,7 @@ namespace gw::profile {
 // when nothing could be written there.
 void makeReportFolder(const std::filesystem::path& folder);
 
-// Files of an earlier report are replaced. Returns what is to be said about it, one sentence, or nothing: why there are
+// Files of an earlier report are replaced. Returns one sentence about it, or nothing: why there are
 // no PNG, say, which the report does without. Throws UserError or FileError.
 std::string writeReport(const Report& report, const std::filesystem::path& folder);
 

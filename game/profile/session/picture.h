@@ -14,10 +14,10 @@
 
 namespace gw::profile {
 
-// An OpenGL context, and whoever takes the events of its window.
+// An OpenGL context, and what takes the events of its window.
 struct Screen {
   std::unique_ptr<GlContext> context;
-  std::function<bool()> open;  // takes events; false: somebody closed it, or pressed Escape. May be empty
+  std::function<bool()> open;  // takes events; false: it was closed, or Escape was pressed. May be empty
   std::string about;           // "window", "offscreen"
 };
 

@@ -20,7 +20,7 @@ class ProcessorWatch {
   // From construction until now. What has changed meanwhile is told as "powersave, then performance".
   ProcessorState state() const;
 
-  // Whole sentences for `state`: clocks that somebody moves, and a quota that held the session up.
+  // Whole sentences for `state`: clocks that are moved, and a quota that held the session up.
   std::vector<std::string> warnings(const ProcessorState& state) const;
 
  private:

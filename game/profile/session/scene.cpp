@@ -27,7 +27,7 @@ Description describe(SceneKind kind) {
       return {"five-minutes", "the expert bot among as many enemies as fit, every loss made good", Mode::practice,
               18000};
     case SceneKind::ramp:
-      return {"ramp", "the expert bot while enemies come, from nobody to as many as fit", Mode::practice, 3600};
+      return {"ramp", "the expert bot while enemies come, from none to as many as fit", Mode::practice, 3600};
     case SceneKind::swarm:
       return {"swarm", "the expert bot against as many enemies as fit, all from the first tick", Mode::swarm, 3600};
     case SceneKind::menu:

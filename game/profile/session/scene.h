@@ -39,7 +39,7 @@ Scene recordScene(SceneKind kind, const SceneSize& size, const RuleTexts& rules,
 // The committed recording of the five minutes, in the assets. Throws ReplayError.
 Scene readFiveMinutes(const std::filesystem::path& assets);
 
-// A replay that somebody brought. Throws ReplayError.
+// A replay of the user's. Throws ReplayError.
 Scene readScene(const std::filesystem::path& file);
 
 // The first ticks of it.

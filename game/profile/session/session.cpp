@@ -183,7 +183,7 @@ Case Session::playCase(const Scene& scene, size_t index, const SetupListener& se
   return played;
 }
 
-// Nobody is compared with a run that was cut: what it lacks may be what costs most.
+// Nothing is compared with a run that was cut: what it lacks may be what costs most.
 void Session::finish(Case& played, const CaseRuns& of) {
   for (size_t i = 0; i < plan_.contenders.size(); ++i) {
     if (of.runs[i] == 0) continue;
@@ -203,7 +203,7 @@ void Session::finish(Case& played, const CaseRuns& of) {
   }
 }
 
-// A run that somebody ended counts only where its contender has no other: it is shorter than they are.
+// A run that was ended early counts only where its contender has no other: it is shorter than they are.
 void Session::playRun(const Scene& scene, uint32_t enemies, uint32_t round, CaseRuns& of, size_t contender) {
   const ContenderChoice& choice = plan_.contenders[contender];
   const std::string doing = fmt::format("{}, {} enemies: run {} of {}, {}", scene.name, withCommas(enemies), round + 1,

@@ -78,13 +78,13 @@ class Session {
   PixelSize size_;  // what it is, which a window's manager decides
   Setup setup_;
   std::string deviceName_;
-  bool ended_ = false;  // somebody wants no more
+  bool ended_ = false;  // it was asked to end
   uint32_t madeRuns_ = 0;
   std::vector<double> tickCost_s_;     // by contender, of its last run; 0: not known yet
   std::vector<uint64_t> ticksToGo_;    // by contender
   std::vector<double> timersCost_;     // share, of each run
   std::vector<GpuState> gpu_;          // after each run
-  std::vector<std::string> cutShort_;  // whom nobody is compared with
+  std::vector<std::string> cutShort_;  // contenders that nothing is compared with
 };
 
 }  // namespace gw::profile
