@@ -18,7 +18,7 @@ from stages import stages_of  # noqa: E402
 from trial import Outcome  # noqa: E402
 
 ROOT = HERE.parent.parent
-KERNELS, FILES, SLOTS = 16, 54, 82  # of game/sim that decide; files looked into, those of gpu/ too; what run_mutants tests
+KERNELS, FILES, SLOTS = 16, 55, 84  # of game/sim that decide; files looked into, those of gpu/ too; what run_mutants tests
 SNIPPET = """// A comment of 11 words, if (a < 12).
 #include "file13.h"
 #define SIZE 14
