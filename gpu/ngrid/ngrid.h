@@ -16,8 +16,8 @@
 //
 // Upkeep after motion, from the thesis: maintain() sorts every line of each axis, transpose() only compares neighbours.
 // Our own, for exact gathers: pack() redistributes the entities into rows by counting, refresh() leaves them in
-// their rows. Two orders to start from: rebuild() and sortUntilStable(). Ties are broken by the other axes, then by id, so
-// the order of a line is unique on every device.
+// their rows. Two orders to start from: rebuild() and sortUntilStable(). Ties are broken by the other axes, then by id,
+// so the order of a line is unique on every device.
 //
 // An entity at x = +infinity is dead, whatever its other coordinates. Places are not NaN: quarantine() turns those
 // that are into dead cells and counts them.

@@ -319,7 +319,8 @@ std::vector<ParityCase> makeCases() {
   add("Bins", [](const Probes& device, Options options) { return binnings(device.binCells, options); });
   add("Buckets", [](const Probes& device, Options options) { return binnings(device.hashCells, options); });
   add("Transpose", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::transpose); });
-  add("Settle", [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::sortUntilStable); });
+  add("Settle",
+      [](const Probes& device, Options options) { return upkeepOf(device, options, Upkeep::sortUntilStable); });
   add("AroundByRows",
       [](const Probes& device, Options options) { return gathersAround(device, options, Around::rows); });
   add("AroundByPackedRows",

@@ -17,7 +17,7 @@ LEFT_OUT = {
     "game/sim/particles.cu": "only drawn: cosmetic particles draw chance of their own and feed nothing back",
     "game/sim/particle.h": "only drawn",
     "game/sim/entity_fields.h": "a table, and what is computed of it while it compiles",
-    "game/sim/entity_copies.h": "runs when a snapshot is taken or given back, or when somebody looks into a tick",
+    "game/sim/entity_copies.h": "runs when a snapshot is taken or given back, or when a tick is inspected",
     "game/sim/forwarding_simulation.h": "passes calls on; no kernel calls it",
     "game/sim/snapshot.cu": "runs when a snapshot is taken or given back, which no tick does",
     "game/sim/state_bytes.cu": "runs when a tick is inspected",

@@ -15,8 +15,8 @@ namespace {
 
 const Probes kDevice = cpu::probes();
 
-constexpr Upkeep kKinds[] = {Upkeep::maintain, Upkeep::rebuild, Upkeep::refresh,
-                             Upkeep::sortUntilStable,   Upkeep::pack,    Upkeep::repack};
+constexpr Upkeep kKinds[] = {Upkeep::maintain,        Upkeep::rebuild, Upkeep::refresh,
+                             Upkeep::sortUntilStable, Upkeep::pack,    Upkeep::repack};
 
 template <class CellT>
 std::string check(GridShape shape, const std::vector<CellT>& cells, Upkeep upkeep, const ExecOptions& options = {2}) {

@@ -30,7 +30,8 @@ TYPED_TEST(NGridReport, CountsTheMisalignedTheMovedAndTheSteps) {
   const GridShape shape = In::flat ? GridShape{44, 31} : GridShape{13, 11, 9};
   for (uint32_t layout = 0; layout < test::kLayouts; ++layout) {
     const auto cells = In::cells({Layout(layout), shape, layout % 2 * 20, layout + 1});
-    for (Upkeep upkeep : {Upkeep::maintain, Upkeep::transpose, Upkeep::rebuild, Upkeep::pack, Upkeep::sortUntilStable}) {
+    for (Upkeep upkeep :
+         {Upkeep::maintain, Upkeep::transpose, Upkeep::rebuild, Upkeep::pack, Upkeep::sortUntilStable}) {
       const test::GridReport report = In::report(probes())({2}, shape, cells, upkeep);
       const auto wanted = naive::upkeep(shape, cells, upkeep);
       EXPECT_EQ(report.moved, wanted.moved);
@@ -56,7 +57,8 @@ TYPED_TEST(NGridReport, OfAMovingCrowdOddEvenLeavesMoreMisaligned) {
   const GridShape shape = In::flat ? GridShape{64, 64} : GridShape{16, 16, 16};
   const float reach = 30.0f / float(shape.rows);
   const auto share = [&](Upkeep upkeep) {
-    auto cells = In::upkeep(probes())({2}, shape, In::cells({Layout::uniform, shape, 0, 3}), Upkeep::sortUntilStable).cells;
+    auto cells =
+        In::upkeep(probes())({2}, shape, In::cells({Layout::uniform, shape, 0, 3}), Upkeep::sortUntilStable).cells;
     uint32_t misaligned = 0;
     for (uint32_t frame = 0; frame < 20; ++frame) {
       for (auto& cell : cells) {  // as moveCells(), but none dies
