@@ -247,7 +247,7 @@ struct Expert : Bot<Search> {
 void autopilot(Queue& queue, const View& view, Autopilot who) {
   const Count one{1};
   if (who == Autopilot::none) return;
-  withSearchFromAnywhere(view.seen, [&](auto search) {  // the ship stands in no cell
+  withSearchFromAnywhere(view.seen, [&](auto search) {  // the ship is in no cell
     using Search = decltype(search);
     if (who == Autopilot::novice) {
       forEach(queue, one, Novice<Search>{{view, search}});

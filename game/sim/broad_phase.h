@@ -70,7 +70,7 @@ void withSearchFromAnywhere(const Searches& searches, const Launch& launch) {
   withExactSearch(searches, launch);
 }
 
-// Exact gathers ask by rows, windows by both axes. The world of a game without a grid yet is known by its aspect.
+// Exact gathers search by rows, windows by both axes, whose dimensions follow from the aspect of the world.
 NDimensions dimensionsOf(const SimulationConfig& config);
 
 // The id in each cell at the start of a game with an inexact gather: a corner of the grid with the grid's own shape

@@ -182,7 +182,7 @@ struct PushApart {
     const Rules& r = v.tables->rules;
     const EnemyRules& own = r.enemies[from.type];
     const float mass = v.nextDirectionMass[from.id].z;
-    // From where it stands after this tick to where the others stood before it.
+    // From its position after this tick to those of the others before it.
     const float step = enemyStep_m(v), reach = reachOf(own) + v.tables->limits.largestReach_m + step;
     const float near_x = own.halfWidth_m + step, near_y = own.halfHeight_m + step;
     Pushes sum;

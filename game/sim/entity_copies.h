@@ -7,7 +7,7 @@
 
 namespace gw::GW_DEVICE {
 
-// Of buffers whose sides take turns: what stands at the start of the view's tick, or what the tick writes.
+// Of buffers that alternate: the start of the view's tick, or what the tick writes.
 enum class Side { start, end };
 
 struct EntityCopies {

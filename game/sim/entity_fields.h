@@ -14,8 +14,8 @@
 
 namespace gw {
 
-// What stands by id and outlives a tick. ONE(name, Type) is a buffer that stages write in place. TWO(name, next, Type)
-// is one of two sides that take turns: stages read `name`, the start of the tick, until think writes `next`.
+// Buffers by id that outlive a tick. ONE(name, Type) is a buffer that stages write in place. TWO(name, next, Type) is a
+// pair that alternates (double buffering): stages read `name`, the start of the tick, until think writes `next`.
 #define GW_STATE_BUFFERS(ONE, TWO)              \
   TWO(forceEnergy, nextForceEnergy, Float4)     \
   TWO(directionMass, nextDirectionMass, Float4) \
@@ -25,7 +25,7 @@ namespace gw {
   ONE(birthTick, uint32_t)                      \
   ONE(target, uint32_t)
 
-// FIELD(member, Type, buffer, component, column, hash word, its half). Position and type stand in the cell, everything
+// FIELD(member, Type, buffer, component, column, hash word, its half). Position and type are in the cell, everything
 // else in a buffer of GW_STATE_BUFFERS, in `component` of its element. Shots and bits use some fields in their own way.
 //   force          N
 //   energy         a shot's damage
@@ -61,8 +61,8 @@ namespace gw {
   FIELD(birthTick, uint32_t, birthTick, , "birth_tick", HashField::typeAndBirth, kLowHalf)             \
   FIELD(target, uint32_t, target, , "target", HashField::target, kLowHalf)
 
-// What stands by id within one tick only, written before it is read. BUFFER(name, Type, how many of it per id, the
-// stage from which on the state dump shows it, its columns...).
+// Buffers by id that hold values within one tick only, written before they are read. BUFFER(name, Type, how many of it
+// per id, the stage from which on the state dump shows it, its columns...).
 //   threat         the nearest shot that approaches: ~(squared distance's bits << 32 | id); 0: none
 //   event          EntityEvent bits
 //   choice         the victim that a shot picked, or kNobody

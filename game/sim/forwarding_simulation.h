@@ -1,4 +1,4 @@
-// A simulation that stands before another one and passes every call on: the base of those that change a few of them.
+// A simulation that forwards every call to another one: the base class of those that change a few of the calls.
 #pragma once
 
 #include <utility>

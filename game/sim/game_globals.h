@@ -29,13 +29,13 @@ struct Totals {
   uint32_t reserved = 0;
 };
 
-// Counts over all entities that only the report tells: nothing of the game follows from them.
+// Counts over all entities for the report only: the game does not depend on them.
 struct Tally {
   uint32_t killSounds[kMaxEnemyTypes][3] = {};  // deaths to the left, in the middle, to the right of the ship
   Edges edges;
 };
 
-// Who dies without score.
+// Which enemies die without score.
 enum Blast : uint32_t { kBlastNone, kBlastNear, kBlastAll };
 
 struct Ship {
@@ -61,7 +61,7 @@ struct GameGlobals {
   uint32_t flushScores = 0;                           // thresholds of Rules::Flush passed
   float flush_x = 0, flush_y = 0, flushRadius_m = 0;  // radius 0: none running
   uint32_t blast = 0;                                 // a Blast, in the tick after a contact
-  uint32_t blastId = kNobody;                         // who touched
+  uint32_t blastId = kNobody;                         // the enemy that touched the ship
   uint32_t wave = 0;                                  // rows of the wave table started
   uint32_t waveClock_ticks = 0;
   uint32_t idle_ticks = 0;
@@ -80,7 +80,7 @@ struct GameGlobals {
 };
 static_assert(sizeof(GameGlobals) % sizeof(uint64_t) == 0);
 
-// A range of births: what logic asks spawn for.
+// A range of births that logic orders and spawn carries out.
 struct Command {
   uint32_t type = 0, count = 0;
   uint32_t firstBirth = 0;  // births of earlier commands
@@ -92,7 +92,7 @@ struct Command {
 };
 inline constexpr uint32_t kMaxCommands = 64;
 
-// What one tick's stages tell each other and the report. Nothing of it outlives the tick.
+// What the stages of one tick pass to each other and to the report. Nothing of it outlives the tick.
 struct TickScratch {
   InputRecord input{};  // the host's, or a bot's in its place
   uint32_t commandCount = 0;

@@ -1,7 +1,7 @@
 // Hash: every simulated field of every living entity, summed so that neither the NGrid's arrangement nor the order of
 // visits has an influence; where the arrangement is state, which id stands in which cell. Report adds the globals.
 //
-// What is no state but must hold between ticks adds nothing to the sums as long as it does: that the dead stand at
+// Invariants between ticks that are no state add nothing to the sums as long as they hold: that the dead are at
 // +infinity, that cells and ids name each other, that the tables are those that were uploaded. So damage to them is
 // seen in the tick in which it happens, and not when something goes wrong because of it.
 #include "game/sim/entity_access.h"

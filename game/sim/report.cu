@@ -59,7 +59,7 @@ struct Report {
     report.contacts = m.contacts;
     report.contactType = s.contactType;
     report.contactCost_us = s.contactCost_us;
-    // Once the game is over the totals stand still: they were reported when they were new.
+    // Once the game is over the totals do not change: they were reported when they were new.
     const Totals fresh = m.over ? Totals{} : m.totals;
     report.edges = s.tally.edges;
     sounds(report, fresh, s);
@@ -97,7 +97,7 @@ struct Report {
     for (uint32_t side = 0; side < kPans; ++side) {
       if (s.pops[side] == 0) continue;
       const uint32_t id = ~uint32_t(s.pops[side]);
-      if (v.cellOf[id] >= v.capacity) continue;  // damaged, which the hash tells
+      if (v.cellOf[id] >= v.capacity) continue;  // damaged, which the hash shows
       const Cell cell = v.moved[v.cellOf[id]];
       const uint64_t value = s.pops[side] >> 32;
       const bool bare = (v.state[id].w & kFlagFlushed) != 0;

@@ -24,7 +24,7 @@ enum class Mode : uint32_t { arcade, deadline, swarm, practice };
 // How a run ended.
 enum class Ending : uint32_t { none, frameRate, timeUp, cleared };
 enum class BroadPhase : uint32_t { ngrid, grid, gridHashed, bruteForce };
-// How the NGrid is asked and kept in order. Exact gathers cannot change the game, nor can the sort they go with:
+// How the NGrid is searched and kept in order. Exact gathers cannot change the game, nor can the sort they go with:
 // bitonic, full or frozen. With an inexact one, by bitonic or odd-even sort, the arrangement of the cells is part of
 // the state: hashed, and kept in snapshots and replays.
 enum class Gather : uint32_t { exact, adaptive, fixed };
@@ -68,7 +68,7 @@ struct Pop {
   uint32_t points = 0;  // its value times the multiplier; 0: none
 };
 
-// What one tick tells the host; everything else stays on the device.
+// What the host receives of one tick; everything else stays on the device.
 struct TickReport {
   uint32_t tick = 0;  // ticks completed, counting from 1
   uint32_t over = 0;  // not 0 from the tick in which the run ended
@@ -198,10 +198,10 @@ class Simulation {
   // (a share of one, and more once the run is over) have passed since the last tick. Leaves the target
   // alone when the simulation was made without particles.
   virtual void particleList(const DrawView& view, float sinceTick_ticks, const ParticleTarget& target) = 0;
-  // All that stand in the ring, the newest last; for tests that compare devices.
+  // All particles in the ring, the newest last; for tests that compare devices.
   virtual std::vector<Particle> particles() const = 0;
 
-  // The live enemy nearest to a place, within radius_m of it: all there is to know of one entity.
+  // The live enemy nearest to a place, within radius_m of it, with all its fields.
   virtual std::optional<EntityRecord> inspect(float x, float y, float radius_m) = 0;
 
   // How many pairs the broad phase tests when every live enemy gathers within its vision.
@@ -213,7 +213,7 @@ class Simulation {
   virtual bool timesStages() const = 0;
   virtual std::vector<StageTime> stageTimes() const = 0;
 
-  // The game laid open (game/sim/debug/inspection.h); lives as long as its device does.
+  // Every value of the game (game/sim/debug/inspection.h); valid as long as its device.
   virtual Inspection& inspection() = 0;
 
   // Kernels of the last tick that was put together. Copies of the records and events are nodes beside them.
@@ -229,7 +229,7 @@ class Simulation {
   const std::string& deviceName() const { return facts().deviceName; }
   bool onCuda() const { return facts().onCuda; }
 
-  // Gives up the device, for a reason that its users met; throws DeviceError with that reason when nothing can take
+  // Gives up the device, for a reason that its users found; throws DeviceError with that reason when nothing can take
   // its place (game/session/failover.h).
   virtual void dropDevice(const std::string& why);
   // Why an earlier device was given up; empty: none was.

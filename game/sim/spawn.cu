@@ -90,7 +90,7 @@ struct FillIds {
     return begin;
   }
 
-  // What every newborn has: it stands where it is born, and all else is 0 until its kind says more.
+  // What every newborn has in common: all other fields are 0 until its kind sets them.
   GW_BODY EntityRecord newborn(uint32_t id, uint32_t type, Float2 position, Float2 velocity, Float2 direction) const {
     EntityRecord e{};
     e.id = id;

@@ -1,6 +1,6 @@
 // The game on a device: buffers, and the view of them that kernels get.
 //
-// Positions stand in cells (the NGrid); everything else is indexed by id and never moves. Two columns of
+// Positions are in cells (the NGrid); everything else is indexed by id and never moves. Two columns of
 // cells take turns: maintain sorts `cells`, which holds the start of the tick and is what gathers search;
 // integrate writes the end of the tick to `moved`, in the same arrangement. The thesis's two textures
 // (force + energy, direction + mass) take turns likewise: think reads the front, writes the back.
@@ -42,7 +42,7 @@ struct View {
   Searches near;     // over cells
   Searches seen;     // over moved, before integrate overwrites it: last tick's start, what the bots see
 
-  // By id (game/sim/entity_fields.h): state, and what stands within one tick only.
+  // By id (game/sim/entity_fields.h): state, and what is valid within one tick only.
 #define GW_ONE(name, Type) Type* name;
 #define GW_TWO(name, next, Type) Type *name, *next;
 #define GW_BUFFER(name, Type, ...) Type* name;
@@ -56,7 +56,7 @@ struct View {
   uint32_t capacity;
 };
 
-// Which of two alternating buffers stands at this address.
+// The one of two alternating buffers with this address.
 template <class T>
 const Buffer<T>& sideOf(const Buffer<T> (&sides)[2], const T* d_data) {
   return sides[0].data() == d_data ? sides[0] : sides[1];
@@ -74,7 +74,7 @@ enum Purpose : uint32_t {
   kPurposeScatter = 4,    // (tick, id) how bits fly apart
   kPurposeEndless = 5,    // (tick, group) type and pattern of endless waves
   kPurposeAutopilot = 6,  // (tick) aiming error
-  // For looks only, from here on.
+  // Cosmetic only, from here on.
   kPurposeParticles = 64,  // (tick, source, ., particle of its burst) way, speed, life and size of a spark
 };
 

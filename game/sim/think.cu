@@ -62,7 +62,7 @@ struct Think {
     const Rules& r = v.tables->rules;
     const EnemyRules& rules = r.enemies[cell.type];
     const uint64_t threat = v.threat[cell.id];
-    if (isAnnounced(v, cell.id)) return;  // it only stands there
+    if (isAnnounced(v, cell.id)) return;  // it does not move yet
 
     const Float4 force = v.forceEnergy[cell.id], direction = v.directionMass[cell.id];
     const Float4 motion = v.velocityPrevious[cell.id];

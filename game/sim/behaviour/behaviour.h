@@ -26,7 +26,7 @@ GW_FN bool isOneOf(Machine machine, uint32_t machines) {
 // How often an entity gathers its own kind, staggered by id: its states can change because of it that often.
 constexpr uint32_t kAskEvery_ticks = 4;
 
-// What a think kernel knows of its entity.
+// What a think kernel has read of its entity.
 struct Self {
   uint32_t id, type;
   float x, y;

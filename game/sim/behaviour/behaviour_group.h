@@ -8,7 +8,7 @@
 namespace gw::GW_DEVICE {
 
 // Wandering, drawn to the middle of its kind and turned along their heading, which it takes over: so that a
-// group comes to agree on one.
+// group converges on one.
 GW_FN DesiredMotion flyInFlock(const Self& self, const Flock& flock, const Rules::Steering& steering, uint64_t seed,
                                uint32_t tick) {
   const Float2 heading = drifted(self, steering.wanderDrift_rad, seed, tick);

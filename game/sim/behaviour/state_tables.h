@@ -21,7 +21,7 @@ enum Condition : uint32_t {
   kSeesShip = 1u << 6,    // within its sight
   kLostShip = 1u << 7,    // beyond Rules::Steering::sightLost times its sight
   kOwnKind = 1u << 8,     // one of its own type within its vision
-  kAlone = 1u << 9,       // none of its own type within its vision; neither of the two: it is not its turn to ask
+  kAlone = 1u << 9,       // none of its own type within its vision; neither of the two: not gathered in this tick
 };
 inline constexpr uint32_t kConditionCount = 10;
 
@@ -91,7 +91,7 @@ inline constexpr MachineTable kTricky = {
      {in(State::grouping), kAlone, State::wandering}}};
 
 // The state machines. A new one is its table above, a row here, its steering (behaviour_NAME.h) and the line in think
-// that asks for it. Numbers stand in replays: add at the end only.
+// that asks for it. Replays hold the numbers: add at the end only.
 #define GW_MACHINES(MACHINE)   \
   MACHINE(kamikaze, kKamikaze) \
   MACHINE(group, kGroup)       \
@@ -130,7 +130,7 @@ constexpr uint32_t machinesThatNeed(uint32_t conditions) {
   return machines;
 }
 inline constexpr uint32_t kDodgingMachines = machinesThatNeed(kShotComing);
-inline constexpr uint32_t kFlockingMachines = machinesThatNeed(kOwnKind | kAlone);  // ask for their own kind
+inline constexpr uint32_t kFlockingMachines = machinesThatNeed(kOwnKind | kAlone);  // gather their own kind
 
 // Whether some row leads from one state to another. A row that leads back to its own state changes nothing
 // and is no edge.
@@ -142,7 +142,7 @@ constexpr bool hasEdge(Machine machine, State from, State to) {
   return false;
 }
 
-// In these states machines that know of their own kind look for it: no other row or steering asks for it.
+// In these states flocking machines gather their own kind: no other row or steering needs it.
 inline constexpr uint32_t kLooksAround = in(State::wandering, State::grouping, State::attacking);
 
 // How often each transition was taken: by machine, state left, state entered.

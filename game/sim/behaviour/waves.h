@@ -1,4 +1,4 @@
-// Who appears when, as logic orders it: the timetable and the endless waves after it (arcade,
+// Which enemies appear when, as logic orders it: the timetable and the endless waves after it (arcade,
 // deadline), all at once (swarm), or what the player asks for (practice).
 #pragma once
 

@@ -1,4 +1,4 @@
-// How deep two bodies overlap, and which way the first must go to be free of the second. Odd: exchanging
+// The penetration of two bodies as a vector: how the first must move to be free of the second. Odd: exchanging
 // the bodies turns the vector round to the last bit, so that the forces of a pair cancel.
 #pragma once
 

@@ -1,5 +1,5 @@
 // When a moving circle touches a body: the earliest time in 0..1 of one tick. Everything is relative to the
-// body's centre, so that a moving body stands still in its own frame.
+// body's centre, so that a moving body is at rest in its own frame.
 #pragma once
 
 #include <cmath>

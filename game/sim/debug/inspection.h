@@ -1,5 +1,5 @@
-// A running game laid open: every value by name after every stage of a tick, and the raw bytes of its memory. For the
-// desync finder and for tests. Slow: play never uses it.
+// Inspection of a running game: every value by name after every stage of a tick, and the raw bytes of its memory. For
+// the desync finder and for tests. Slow: play never uses it.
 #pragma once
 
 #include <cstdint>
@@ -30,20 +30,20 @@ struct StageState {
   std::vector<Column> globals;  // one value each
 };
 
-// What comes of damage to a byte between two ticks.
+// What damage to a byte between two ticks does.
 enum class Standing : uint32_t {
-  hashed,     // the next hash tells
+  hashed,     // the next hash shows it
   ofLiving,   // so it does where an entity lives; elsewhere birth writes the byte before it is read
   rewritten,  // the next tick writes it before it is read
   unread,     // never read
   costOnly,   // what is found is the same, at more or less work
 };
 
-// Bytes of one buffer that stand alike, in every element.
+// Bytes of one buffer with one effect of damage, in every element.
 struct BytesOfBuffer {
   std::string buffer, part;
   Standing standing;
-  std::string why;    // empty where a hash tells
+  std::string why;    // empty where a hash shows it
   uint8_t* d_bytes;   // of the first element
   uint32_t bytes;     // of the part, in one element
   uint32_t stride;    // bytes from one element to the next

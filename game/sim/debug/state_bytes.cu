@@ -26,7 +26,7 @@ constexpr size_t bytesOf(const Part (&parts)[kCount]) {
 
 constexpr const char* kOtherSide = "the next tick writes it before it reads it: the two sides take turns";
 constexpr const char* kZero = "always 0 and never read";
-constexpr const char* kWithinTick = "what the passes of one tick tell each other; each tick begins by clearing it";
+constexpr const char* kWithinTick = "what the passes of one tick hand on; each tick begins by clearing it";
 
 constexpr Part kGlobals[] = {{"all", sizeof(GameGlobals)}};
 constexpr Part kTables[] = {{"all", sizeof(Tables)}};

@@ -82,7 +82,7 @@ class Reader {
     columns_.push_back({name, kind, shared(name, std::move(values))});
   }
 
-  // What passes of one tick tell each other: a column for each of the values per id.
+  // What the passes of one tick hand on: a column for each of the values per id.
   template <class T>
   void addWithinTick(const Buffer<T>& buffer, size_t perId, const char* since,
                      std::initializer_list<const char*> columns) {

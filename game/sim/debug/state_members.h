@@ -12,7 +12,7 @@
 
 namespace gw {
 
-// Numbers of one type that stand side by side in a struct.
+// Adjacent numbers of one type in a struct.
 struct Member {
   const char* name;
   ValueKind kind;
@@ -26,7 +26,7 @@ constexpr Member memberOf(const char* name, size_t offset, size_t bytes) {
   return {name, std::is_floating_point_v<One> ? ValueKind::real : ValueKind::whole, offset, bytes, sizeof(One)};
 }
 
-// Whether they stand in order, without gaps, and fill the struct.
+// Whether they are in order, without gaps, and fill the struct.
 template <size_t kCount>
 constexpr bool fill(const Member (&members)[kCount], size_t structBytes) {
   size_t next = 0;
@@ -104,7 +104,8 @@ inline constexpr Member kCommandMembers[] = {
 };
 static_assert(fill(kCommandMembers, sizeof(Command)));
 
-// Of what stages tell each other; the commands follow in a list of their own, what only the report tells is left out.
+// Of what stages pass to each other; the commands follow in a list of their own, what is for the report only is left
+// out.
 inline constexpr Member kScratchMembers[] = {
     GW_MEMBER_OF(TickScratch, input.move_x), GW_MEMBER_OF(TickScratch, input.move_y),
     GW_MEMBER_OF(TickScratch, input.aim),    GW_MEMBER_OF(TickScratch, input.buttons),

@@ -1,4 +1,4 @@
-// One particle as its birth left it. Nothing is updated while it lives: where it is follows from its age.
+// One particle at its birth. Nothing is updated while it lives: its position follows from its age.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Particle {
 };
 static_assert(sizeof(Particle) == 32);
 
-// Velocity falls by this exponent per second: a spark of 18 m/s comes 3.6 m far.
+// Velocity falls by this exponent per second: a spark of 18 m/s travels 3.6 m.
 inline constexpr float kParticleDrag_per_s = 5;
 // A streak reaches back to where its head was this long ago.
 inline constexpr float kParticleStreak_s = 0.1f;

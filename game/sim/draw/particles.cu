@@ -6,7 +6,7 @@
 namespace gw::GW_DEVICE {
 namespace {
 
-// What one source throws: a fan of streaks. docs/design/effects.md has the table.
+// What one source emits: a fan of streaks. docs/design/effects.md has the table.
 struct Burst {
   uint32_t count;
   float x, y;                   // m
@@ -72,7 +72,7 @@ GW_FN Burst shipBurst(const View& v, uint32_t source) {
   return Burst{};
 }
 
-// A source is an id, or one of the ship's own behind them. Once the game is over events stand as they were.
+// A source is an id, or one of the ship's own behind them. Once the game is over events keep their last values.
 GW_FN Burst burstOf(const View& v, uint32_t source) {
   if (source >= v.capacity) return shipBurst(v, source - v.capacity);
   return v.globals->over ? Burst{} : entityBurst(v, source);

@@ -1,4 +1,4 @@
-// Particles: the sparks of what dies, hits, is taken, touches the ship. For looks only. They live in a ring
+// Particles: the sparks of what dies, hits, is taken, touches the ship. Cosmetic only. They are kept in a ring
 // of their own, outside the NGrid, the hash and snapshots, draw from a random purpose of their own, and
 // nothing of the game reads them.
 //
@@ -35,7 +35,7 @@ class Particles {
   // The stage: throws what the events of this tick throw. `parity` is the tick's.
   void emit(Queue& queue, const View& view, uint32_t parity);
 
-  // What stands in the ring before a tick of this parity.
+  // The ring before a tick of this parity.
   ParticleView view(uint32_t parity) const { return {ring_.data(), emitted_.data() + parity % 2, size_}; }
   // The same on the host: the newest last. Slots that were never filled are left out.
   std::vector<Particle> list(uint32_t parity) const;

@@ -11,7 +11,7 @@ class Candidates {
   Candidates(Queue& queue, uint32_t capacity)
       : tested_(queue, capacity), found_(queue, capacity), sum_(queue, capacity), total_(queue, 1) {}
 
-  // Lets every living enemy gather within its vision around where it stood when the last tick was
+  // Every living enemy gathers within its vision around its position when the last tick was
   // maintained, and sums pair tests and neighbours, itself not counted. Waits for the queue, and times the search
   // alone.
   CandidateCount run(Queue& queue, const View& view);

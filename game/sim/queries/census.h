@@ -14,7 +14,7 @@ class CensusTaker {
   // neighbours were searched. Waits for the queue.
   Census run(Queue& queue, const View& view, Neighbourhood& neighbourhood);
 
-  // The living by type, and at the end all that stood in the grid that was searched.
+  // The living by type, and at the end all in the grid that was searched.
   static constexpr uint32_t kCounts = kTypeCount + 1;
 
  private:
