@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
 
 #include "game/sim/hash_fields.h"
@@ -89,7 +90,6 @@ struct EntityRecord {
   GW_ENTITY_FIELDS(GW_DECLARE)
 #undef GW_DECLARE
 };
-static_assert(sizeof(EntityRecord) == 88);
 
 // The same as it lies in device memory: its cell, and its element of each buffer of state.
 struct EntityElements {
@@ -134,6 +134,7 @@ inline constexpr EntityField kEntityFields[] = {
     GW_ENTITY_FIELDS(GW_ROW)
 #undef GW_ROW
 };
+static_assert(sizeof(EntityRecord) == 4 * (1 + std::size(kEntityFields)), "an id and fields of 32 bits, without gaps");
 
 // Whether each word of the hash has something in it, and no half of a word two fields.
 constexpr bool hashesAreWhole() {
