@@ -5,12 +5,13 @@
 namespace gw {
 
 std::string withCommas(uint64_t number) {
-  std::string digits = std::to_string(number);
-  for (size_t at = digits.size(); at > 3;) {
-    at -= 3;
-    digits.insert(at, 1, ',');
-  }
-  return digits;
+  return groupThousands(std::to_string(number));
+}
+
+std::string groupThousands(std::string whole) {
+  const size_t first = whole.starts_with('-') ? 1 : 0;
+  for (size_t at = whole.size(); at > first + 3;) whole.insert(at -= 3, 1, ',');
+  return whole;
 }
 
 std::string oneDecimal(double number) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/platform/number_format.h"
+
 namespace gw::profile {
 
 namespace {
@@ -12,10 +14,7 @@ constexpr int kDigits = 4;
 }
 
 std::string wholeText(double number) {
-  std::string text = fmt::format("{:.0f}", number);
-  const size_t first = text.starts_with('-') ? 1 : 0;
-  for (size_t at = text.size(); at > first + 3;) text.insert(at -= 3, 1, ',');
-  return text;
+  return groupThousands(fmt::format("{:.0f}", number));
 }
 
 std::string figureText(double number) {
