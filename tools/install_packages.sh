@@ -10,6 +10,7 @@ play_packages=(
   libsdl2-dev libglew-dev libopenal-dev libegl-dev libgl-dev
   libegl1 libegl-mesa0 libgl1-mesa-dri
   libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libxxhash-dev zlib1g-dev libfmt-dev libstb-dev libimgui-dev
+  libpugixml-dev libutfcpp-dev
   librsvg2-bin fonts-dejavu-core
 )
 # The test frameworks, a virtual display with keys and screenshots, the second compiler, the tools of the gates.

@@ -1,13 +1,12 @@
 #include "game/commands/verify_report.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "game/commands/hash_file.h"
 #include "game/desync/desync_text.h"
-#include "host/platform/markup_text.h"
+#include "host/platform/junit_xml.h"
 #include "host/platform/number_format.h"
 
 namespace gw {
@@ -88,27 +87,17 @@ nlohmann::ordered_json outcomeJson(const Outcome& outcome) {
 }
 
 std::string junitXml(const std::vector<Outcome>& outcomes) {
-  size_t failures = 0, errors = 0;
-  double seconds = 0;
-  std::string cases;
+  std::vector<JunitCase> cases;
   for (const Outcome& outcome : outcomes) {
-    seconds += outcome.seconds;
-    cases += "  <testcase classname=\"gpuwars.verify\" name=\"" + profile::xmlEscaped(outcome.file) + "\" time=\"" +
-             fmt::format("{:.6f}", outcome.seconds) + "\"";
-    if (outcome.code == ExitCode::fine) {
-      cases += "/>\n";
-      continue;
+    JunitCase test{"gpuwars.verify", outcome.file, outcome.seconds};
+    if (outcome.code != ExitCode::fine) {
+      test.result = outcome.code == ExitCode::desync ? JunitCase::Result::failure : JunitCase::Result::error;
+      test.text = failureText(outcome);
+      test.message = test.text.substr(0, test.text.find('\n'));
     }
-    const bool differs = outcome.code == ExitCode::desync;
-    ++(differs ? failures : errors);
-    const std::string text = failureText(outcome);
-    const char* element = differs ? "failure" : "error";
-    cases += std::string(">\n    <") + element + " message=\"" + profile::xmlEscaped(text.substr(0, text.find('\n'))) +
-             "\">" + profile::xmlEscaped(text) + "</" + element + ">\n  </testcase>\n";
+    cases.push_back(std::move(test));
   }
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"gpuwars verify\" tests=\"" +
-         std::to_string(outcomes.size()) + "\" failures=\"" + std::to_string(failures) + "\" errors=\"" +
-         std::to_string(errors) + "\" time=\"" + fmt::format("{:.6f}", seconds) + "\">\n" + cases + "</testsuite>\n";
+  return junitXml("gpuwars verify", cases);
 }
 
 }  // namespace gw

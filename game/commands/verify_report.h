@@ -1,4 +1,4 @@
-// What verify says: to people, as JSON, and as the XML that continuous integration reads of JUnit.
+// The results of verify: for people, as JSON, and as the XML of JUnit that continuous integration reads.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,7 +14,7 @@ void sayOutcome(const Outcome& outcome, bool quiet);
 
 nlohmann::ordered_json outcomeJson(const Outcome& outcome);
 
-// One test a replay. What is equal has passed, a difference is a failure, what could not be compared is an error.
+// One test per replay: equal ones pass, a difference is a failure, and what could not be compared is an error.
 std::string junitXml(const std::vector<Outcome>& outcomes);
 
 }  // namespace gw

@@ -1,6 +1,7 @@
 #include "game/settings/settings_edit.h"
 
 #include <fmt/format.h>
+#include <utf8.h>
 
 #include <algorithm>
 #include <string_view>
@@ -25,13 +26,10 @@ class TextEdits {
 
   // toml++ counts lines and code points from 1.
   size_t place(const toml::source_position& position) const {
-    size_t at = lines_.at(std::min<size_t>(position.line, lines_.size()) - 1);
-    for (size_t column = 1; column < position.column && at < text_.size(); ++column) {
-      do {
-        ++at;
-      } while (at < text_.size() && (uint8_t(text_[at]) & 0xc0) == 0x80);
-    }
-    return at;
+    const size_t line = lines_.at(std::min<size_t>(position.line, lines_.size()) - 1);
+    const char *at = text_.data() + line, *const end = text_.data() + text_.size();
+    for (size_t column = 1; column < position.column && at < end; ++column) utf8::next(at, end);
+    return size_t(at - text_.data());
   }
 
   void replace(size_t begin, size_t end, std::string by) { edits_.push_back({begin, end, std::move(by)}); }

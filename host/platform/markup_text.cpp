@@ -1,6 +1,6 @@
 #include "host/platform/markup_text.h"
 
-#include <cstdint>
+#include "host/platform/utf8_text.h"
 
 namespace gw::profile {
 
@@ -8,59 +8,49 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-// Bytes of the character at the start of `text`, 0 when there is none that XML allows.
-size_t characterAt(std::string_view text) {
-  const auto byte = [&](size_t i) { return i < text.size() ? uint8_t(text[i]) : 0u; };
-  const uint32_t first = byte(0);
-  if (first < 0x80) return first >= 0x20 || first == '\n' || first == '\t' ? 1 : 0;
-  const size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  uint32_t code = first & (0xFFu >> (length + 1));
-  for (size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3F);
-  }
-  constexpr uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  const bool control = code < 0xA0 || code == 0xFFFE || code == 0xFFFF;
-  return code >= kLeast[length] && code <= 0x10FFFF && !surrogate && !control ? length : 0;
+bool allowedInXml(char32_t code) {
+  if (code < 0x20) return code == '\n' || code == '\t';
+  const bool control = code >= 0x80 && code < 0xA0;
+  return code != kInvalidByte && !control && code != 0xFFFE && code != 0xFFFF;
 }
 
-// Calls visit(character) for each, U+FFFD for what is none.
+// Calls visit(character) for each that XML allows, and visit(U+FFFD) for each byte of the others.
 template <class Visit>
-void eachCharacter(std::string_view text, const Visit& visit) {
-  while (!text.empty()) {
-    const size_t length = characterAt(text);
-    visit(length == 0 ? kReplacement : text.substr(0, length));
-    text.remove_prefix(length == 0 ? 1 : length);
+void eachXmlCharacter(std::string_view text, const Visit& visit) {
+  eachCharacter(text, [&](char32_t code, std::string_view bytes) {
+    if (allowedInXml(code)) return visit(bytes);
+    for (size_t i = 0; i < bytes.size(); ++i) visit(kReplacement);
+  });
+}
+
+std::string_view escaped(std::string_view character) {
+  switch (character[0]) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return character;
   }
 }
 
 }  // namespace
 
+std::string xmlCharacters(std::string_view text) {
+  std::string characters;
+  eachXmlCharacter(text, [&](std::string_view character) { characters += character; });
+  return characters;
+}
+
 std::string xmlEscaped(std::string_view text) {
   std::string xml;
-  eachCharacter(text, [&](std::string_view character) {
-    switch (character[0]) {
-      case '&':
-        xml += "&amp;";
-        break;
-      case '<':
-        xml += "&lt;";
-        break;
-      case '>':
-        xml += "&gt;";
-        break;
-      case '"':
-        xml += "&quot;";
-        break;
-      case '\'':
-        xml += "&#39;";
-        break;
-      default:
-        xml += character;
-    }
-  });
+  eachXmlCharacter(text, [&](std::string_view character) { xml += escaped(character); });
   return xml;
 }
 
@@ -68,7 +58,7 @@ std::string shortened(std::string_view text, size_t characters) {
   if (lengthOf(text) <= characters) return std::string(text);
   std::string start;
   size_t taken = 0;
-  eachCharacter(text, [&](std::string_view character) {
+  eachXmlCharacter(text, [&](std::string_view character) {
     if (++taken < characters) start += character;
   });
   return start + "…";
@@ -76,7 +66,7 @@ std::string shortened(std::string_view text, size_t characters) {
 
 size_t lengthOf(std::string_view text) {
   size_t length = 0;
-  eachCharacter(text, [&](std::string_view) { ++length; });
+  eachXmlCharacter(text, [&](std::string_view) { ++length; });
   return length;
 }
 

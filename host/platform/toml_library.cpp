@@ -3,7 +3,10 @@
 #include "host/platform/toml_library.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
+
+#include "host/platform/utf8_text.h"
 
 namespace gw {
 namespace {
@@ -13,53 +16,16 @@ namespace {
 // to where toml++ has nothing to say about them, and what comes out of it is moved back.
 constexpr char32_t kFirst = 0xA0, kLast = 0xFEFF, kMovedBy = 0xF0000;  // into plane 15, for private use
 
-// A character of UTF-8: how many bytes it has; 0: these are none, or one of ASCII.
-struct Character {
-  char32_t code = 0;
-  size_t size = 0;
-};
-
-Character characterAt(std::string_view text, size_t at) {
-  const auto byte = [&](size_t i) { return at + i < text.size() ? uint8_t(text[at + i]) : uint8_t(0); };
-  const size_t size = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : byte(0) >= 0xC2 ? 2 : 0;
-  if (size == 0 || byte(0) > 0xF4) return {};
-  char32_t code = byte(0) & (0x7Fu >> size);
-  for (size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0u) != 0x80u) return {};
-    code = (code << 6) | (byte(i) & 0x3Fu);
-  }
-  const char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return code < least[size] || surrogate ? Character{} : Character{code, size};
-}
-
-void append(std::string& text, char32_t code) {
-  const auto tail = [&](int shift) { text += char(0x80u | ((code >> shift) & 0x3Fu)); };
-  if (code >= 0x10000) {
-    text += char(0xF0u | (code >> 18));
-    tail(12);
-    tail(6);
-  } else if (code >= 0x800) {
-    text += char(0xE0u | (code >> 12));
-    tail(6);
-  } else {
-    text += char(0xC0u | (code >> 6));
-  }
-  tail(0);
-}
-
-// Bytes that are no UTF-8 stay, for toml++ to refuse. What `replaced` returns 0 for stays too.
+// The text with each character for which replaced(code point, its place) is not 0 replaced by that. Bytes that are not
+// UTF-8 stay, for toml++ to refuse.
 template <class Replaced>
 std::string withCharacters(std::string_view text, const Replaced& replaced) {
   std::string result;
   result.reserve(text.size());
-  for (size_t i = 0; i < text.size();) {
-    const Character character = characterAt(text, i);
-    const char32_t other = character.size > 0 ? replaced(character.code, i) : 0;
-    const size_t size = std::max<size_t>(1, character.size);
-    other ? append(result, other) : void(result += text.substr(i, size));
-    i += size;
-  }
+  eachCharacter(text, [&](char32_t code, std::string_view bytes) {
+    const char32_t other = code == kInvalidByte ? 0 : replaced(code, size_t(bytes.data() - text.data()));
+    other ? void(utf8::append(other, std::back_inserter(result))) : void(result += bytes);
+  });
   return result;
 }
 

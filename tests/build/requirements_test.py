@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "e2e"))
 from program import Failures  # noqa: E402
 
 GAME = ["libgl-dev", "libegl-dev", "libglew-dev", "libstb-dev", "libcli11-dev", "nlohmann-json3-dev", "libfmt-dev",
-        "libtomlplusplus-dev", "libxxhash-dev", "zlib1g-dev"]
+        "libtomlplusplus-dev", "libutfcpp-dev", "libpugixml-dev", "libxxhash-dev", "zlib1g-dev"]
 WINDOW = ["libsdl2-dev", "libopenal-dev", "libimgui-dev"]
 TESTS = ["libgtest-dev", "librapidcheck-dev", "libnanoflann-dev"]
 

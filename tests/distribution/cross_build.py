@@ -9,10 +9,10 @@ from root import APT_INSTALL, RESULTS
 TRIPLET = "aarch64-linux-gnu"
 TOOLS = (f"g++-{TRIPLET}", "cmake", "ninja-build", "qemu-user")
 # The headless part of what tools/install_packages.sh installs for playing: headers for all, libraries for arm64.
-HEADERS = ("libglm-dev", "libcli11-dev", "nlohmann-json3-dev")
+HEADERS = ("libglm-dev", "libcli11-dev", "nlohmann-json3-dev", "libutfcpp-dev")
 LIBRARIES = tuple(f"{name}:arm64" for name in (
     "libglew-dev", "libegl-dev", "libgl-dev", "libtomlplusplus-dev", "libxxhash-dev", "zlib1g-dev", "libfmt-dev",
-    "libstb-dev"))
+    "libstb-dev", "libpugixml-dev"))
 BUILD = "build/aarch64"
 QUICK_TICKS = 1800  # longer replays take minutes each under emulation
 LIMIT_S = 2 * 3600
