@@ -9,7 +9,7 @@ namespace {
 WindowOptions windowOptions(const Options& options, const Settings& settings) {
   WindowOptions window;
   window.size = {int(options.width_px), int(options.height_px)};
-  window.fullscreen = options.fullscreen || settings.fullscreen;
+  window.fullscreen = options.fullscreen || settings.video.fullscreen;
   return window;
 }
 
@@ -32,7 +32,7 @@ AppServices::AppServices(const Options& options, const Settings& settings, const
 void AppServices::apply(const Settings& settings) {
   configure(input, settings);
   view.setEffects(settings.effects);
-  if (settings.fullscreen != window.fullscreen()) window.setFullscreen(settings.fullscreen);
+  if (settings.video.fullscreen != window.fullscreen()) window.setFullscreen(settings.video.fullscreen);
   if (settings.sound.muted != audio.mutedByPlayer()) audio.setMuted(settings.sound.muted);
   audio.setVolumes(settings.sound);
 }

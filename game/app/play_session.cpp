@@ -117,7 +117,7 @@ bool PlaySession::update() {
   if (before == Screen::play && screen_ == Screen::over) keepBest();
   if (practising()) practice_->update(screen_, services_.timestep, *run_, services_.pointerInWorld());
   services_.window.showCursor(screen_ != Screen::play);
-  services_.window.keepPointer(screen_ == Screen::play && !botPlays() && settings_.now.keepPointer);
+  services_.window.keepPointer(screen_ == Screen::play && !botPlays() && settings_.now.video.keepPointer);
   services_.audio.update(sceneOf(screen_), float(services_.clock.frameTime_s()));
 
   const bool attracting = attract_ && (screen_ == Screen::title || screen_ == Screen::settings);
@@ -202,7 +202,7 @@ void PlaySession::changeScreen(Screen before) {
     padGone_ = false;
   }
   if (screen_ == Screen::settings) {
-    settings_.now.fullscreen = services_.window.fullscreen();
+    settings_.now.video.fullscreen = services_.window.fullscreen();
     settings_.now.sound.muted = services_.audio.mutedByPlayer();
     settingsBefore_ = settings_.now;
     menu_.emplace(settings_.now);

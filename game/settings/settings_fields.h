@@ -1,4 +1,4 @@
-// The plain values of the settings as a table: the file, the screen and the tests go through it.
+// The plain settings (settings.h) as a table, which file, screen and tests iterate over.
 #pragma once
 
 #include <span>

@@ -24,7 +24,7 @@ class SettingsMenu {
   double waitsFor_s(double now_s) const { return waitsUntil_s_ - now_s; }
 
   // The window, or the sound, was switched by its own key meanwhile.
-  void setFullscreen(bool on) { settings_.fullscreen = on; }
+  void setFullscreen(bool on) { settings_.video.fullscreen = on; }
   void setMuted(bool on) { settings_.sound.muted = on; }
 
   bool done() const { return done_; }

@@ -216,11 +216,11 @@ TEST_F(SettingsOnDisk, TwoGamesChangeWhatEachOfThemChanges) {
 TEST_F(SettingsOnDisk, WhatHeldForTheSessionOnlyIsNotSaved) {
   SettingsFile file(path_);
   Settings before = read(file);
-  before.fullscreen = true;  // --fullscreen
+  before.video.fullscreen = true;  // --fullscreen
   Settings now = before;
   now.sound.music = 0.1f;
   change(file, before, now);
-  EXPECT_FALSE(read(file).fullscreen);
+  EXPECT_FALSE(read(file).video.fullscreen);
   EXPECT_EQ(read(file).sound.music, 0.1f);
 }
 

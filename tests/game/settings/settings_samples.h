@@ -10,8 +10,8 @@ inline Settings otherSettings() {
   settings.sound = {0.35f, 0.1f, true};
   settings.effects = {0.5f, 0, false, false, false};
   settings.pad = {0.45f, 0.9f};
-  settings.fullscreen = true;
-  settings.keepPointer = false;
+  settings.video.fullscreen = true;
+  settings.video.keepPointer = false;
   for (auto& device : settings.bindings.of) {
     for (uint32_t action = 0; action < kActions; ++action)
       device[action] = {uint16_t(action + 5), uint16_t(action + 6)};
