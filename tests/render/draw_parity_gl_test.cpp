@@ -86,8 +86,8 @@ class DrawParity : public CudaGlTest, public testing::WithParamInterface<Mode> {
 
 TEST_P(DrawParity, EveryPictureIsTheSame) {
   GameRun onCpu(cpu::makeSimulation(config_), std::nullopt), onCuda(makeOnCuda(config_), std::nullopt);
-  WorldRenderer cpuView(kAssets, onCpu.simulation().capacity());
-  WorldRenderer cudaView(kAssets, onCuda.simulation().capacity());
+  WorldRenderer cpuView(kAssets);
+  WorldRenderer cudaView(kAssets);
   std::vector<uint8_t> before;
   uint32_t withParticles = 0;
   for (uint32_t tick = 1; tick <= kTicks; ++tick) {
