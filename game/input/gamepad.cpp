@@ -41,7 +41,7 @@ int16_t quantiseStick(float component) {
   return int16_t(std::lround(std::clamp(component, -1.0f, 1.0f) * float(kStickFull)));
 }
 
-void Gamepad::handle(const SDL_Event& event, PadTurns& turns) {
+void Gamepad::handle(const SDL_Event& event, PadArbiter& turns) {
   switch (event.type) {
     case SDL_CONTROLLERAXISMOTION:
       moveAxis(event.caxis, turns);
@@ -70,7 +70,7 @@ void Gamepad::handle(const SDL_Event& event, PadTurns& turns) {
   }
 }
 
-void Gamepad::moveAxis(const SDL_ControllerAxisEvent& event, PadTurns& turns) {
+void Gamepad::moveAxis(const SDL_ControllerAxisEvent& event, PadArbiter& turns) {
   Pad& from = pad(event.which);
   if (isTrigger(event.axis)) {
     const uint16_t button = triggerButton(event.axis);

@@ -11,7 +11,7 @@
 
 #include "game/sim/input_record.h"
 #include "host/input/bindings.h"
-#include "host/input/pad_turns.h"
+#include "host/input/pad_arbiter.h"
 
 namespace gw {
 
@@ -37,7 +37,7 @@ class Gamepad {
   // Pads appear with their first event and go with SDL_CONTROLLERDEVICEREMOVED. The pad that was used last plays: a
   // button, a trigger, or a stick more than half way out. Only its sticks and buttons count. A press out of turn is
   // none.
-  void handle(const SDL_Event& event, PadTurns& turns);
+  void handle(const SDL_Event& event, PadArbiter& turns);
 
   void setBindings(const Bindings& bindings);
   void setDeadZones(float move, float aim);
@@ -78,7 +78,7 @@ class Gamepad {
   // True when that is a press.
   static bool setButton(Pad& pad, uint16_t button, bool down);
   void press(const Pad& pad, uint16_t button);
-  void moveAxis(const SDL_ControllerAxisEvent& event, PadTurns& turns);
+  void moveAxis(const SDL_ControllerAxisEvent& event, PadArbiter& turns);
 
   Bindings bindings_;
   float moveDeadZone_ = 0.2f, aimDeadZone_ = 0.25f;

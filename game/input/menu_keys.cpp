@@ -33,7 +33,7 @@ void MenuKeys::step(Direction direction) {
   presses_.right += direction.x > 0;
 }
 
-void MenuKeys::handle(const SDL_Event& event, PadTurns& turns) {
+void MenuKeys::handle(const SDL_Event& event, PadArbiter& turns) {
   switch (event.type) {
     case SDL_KEYDOWN: {
       const SDL_Scancode key = event.key.keysym.scancode;
@@ -62,7 +62,7 @@ void MenuKeys::handle(const SDL_Event& event, PadTurns& turns) {
   }
 }
 
-void MenuKeys::pressButton(const SDL_ControllerButtonEvent& event, PadTurns& turns) {
+void MenuKeys::pressButton(const SDL_ControllerButtonEvent& event, PadArbiter& turns) {
   Pad& from = pad(event.which);
   const uint16_t button = event.button;
   const bool down = event.type == SDL_CONTROLLERBUTTONDOWN;
@@ -79,7 +79,7 @@ void MenuKeys::pressButton(const SDL_ControllerButtonEvent& event, PadTurns& tur
   presses_.otherColumn |= button == kPadLeftShoulder || button == kPadRightShoulder;
 }
 
-void MenuKeys::moveStick(const SDL_ControllerAxisEvent& event, PadTurns& turns) {
+void MenuKeys::moveStick(const SDL_ControllerAxisEvent& event, PadArbiter& turns) {
   Pad& from = pad(event.which);
   const Direction before = from.stick;
   const float share = axisShare(event.value);

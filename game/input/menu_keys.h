@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/input/pad_turns.h"
+#include "host/input/pad_arbiter.h"
 
 namespace gw {
 
@@ -23,7 +23,7 @@ struct MenuPresses {
 class MenuKeys {
  public:
   // A press of a pad out of its turn is none.
-  void handle(const SDL_Event& event, PadTurns& turns);
+  void handle(const SDL_Event& event, PadArbiter& turns);
 
   // The presses since the last call. Held arrows repeat as the keyboard repeats them, a held cross or stick after
   // 0.4 s and then every 0.08 s; `now_s` is the time for that.
@@ -41,8 +41,8 @@ class MenuKeys {
   Pad& pad(SDL_JoystickID id);
   Direction held() const;
   static Direction changed(Direction before, Direction now);
-  void pressButton(const SDL_ControllerButtonEvent& event, PadTurns& turns);
-  void moveStick(const SDL_ControllerAxisEvent& event, PadTurns& turns);
+  void pressButton(const SDL_ControllerButtonEvent& event, PadArbiter& turns);
+  void moveStick(const SDL_ControllerAxisEvent& event, PadArbiter& turns);
   void step(Direction direction);
 
   MenuPresses presses_;

@@ -30,9 +30,9 @@ void PlayerInput::setBindings(const Bindings& bindings) {
 
 void PlayerInput::handle(const SDL_Event& event) {
   if (listening_ && hear(event)) return;
-  menu_.handle(event, turns_);
+  menu_.handle(event, arbiter_);
   keys_.handle(event);
-  pad_.handle(event, turns_);
+  pad_.handle(event, arbiter_);
   if (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN) padInUse_ = false;
   if (event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_CONTROLLERAXISMOTION) {
     const Stick move = pad_.move(), aim = pad_.aim();
@@ -119,7 +119,7 @@ bool PlayerInput::hear(const SDL_Event& event) {
     control = Control{InputDevice::mouse, event.button.button};
   } else {
     control = pad_.pressedBy(event);
-    if (control && !turns_.press(padOf(event), event.common.timestamp)) return false;  // and acts on nothing either
+    if (control && !arbiter_.press(padOf(event), event.common.timestamp)) return false;  // and acts on nothing either
   }
   if (!control) return false;
   heard_ = control;

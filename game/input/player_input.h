@@ -20,7 +20,7 @@ class PlayerInput {
 
   void handle(const SDL_Event& event);
   // All events of a frame were handled, which SDL began to collect at this time of its clock.
-  void endFrame(uint32_t now_ms) { turns_.looked(now_ms); }
+  void endFrame(uint32_t now_ms) { arbiter_.looked(now_ms); }
 
   // What is bound from now on, but for a pause that could not be reached (withFallBacks); what is held counts as
   // released.
@@ -67,7 +67,7 @@ class PlayerInput {
   KeyboardMouse keys_;
   Gamepad pad_;
   MenuKeys menu_;
-  PadTurns turns_;
+  PadArbiter arbiter_;
   bool padInUse_ = false, lostPad_ = false;
   bool listening_ = false;
   std::optional<Control> heard_;

@@ -26,7 +26,7 @@ constexpr size_t kBlockBytes = kTicksPerGrowingBlock * (kRunBytes + kHashBytes) 
 Recorder::Recorder(std::filesystem::path path, ReplayHeader header, RuleTexts rules)
     : path_(std::move(path)),
       replay_{std::move(header), std::move(rules), {}, {}, {}, {}},
-      growing_(std::make_unique<GrowingFile>(path_)) {
+      growing_(std::make_unique<AppendFile>(path_)) {
   std::string& options = replay_.header.options;  // for people only: cut rather than refused
   if (options.size() > kMaxOptionsBytes) options.resize(kMaxOptionsBytes);
   replay_.inputs.reserve(kMaxTicks);  // 15 MB of addresses; pages come as ticks do
@@ -106,7 +106,7 @@ void Recorder::finish(const FinalReport& result) {
   } catch (const FileError& error) {
     while (flushBlock()) {
     }
-    const std::unique_ptr<GrowingFile> growing = std::move(growing_);
+    const std::unique_ptr<AppendFile> growing = std::move(growing_);
     if (flushed_ == 0) {
       growing->remove();
       throw;

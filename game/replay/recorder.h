@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "game/replay/replay.h"
-#include "host/platform/growing_file.h"
+#include "host/platform/append_file.h"
 
 namespace gw {
 
@@ -46,7 +46,7 @@ class Recorder {
 
   std::filesystem::path path_;
   Replay replay_;
-  std::unique_ptr<GrowingFile> growing_;          // none once finished or abandoned, and in what was moved from
+  std::unique_ptr<AppendFile> growing_;           // none once finished or abandoned, and in what was moved from
   std::vector<uint8_t> start_, block_, payload_;  // bytes on their way; with all the room they need
   uint32_t flushed_ = 0;                          // ticks in the growing file
 };

@@ -3,7 +3,7 @@
 #include <csignal>
 
 #include "host/platform/clock.h"
-#include "host/platform/doomed_file.h"
+#include "host/platform/unfinished_file.h"
 
 namespace gw {
 
@@ -29,7 +29,7 @@ void onSignal(int signal) {
       caught.times = 1;
       caught.first_s = now_s();
     } else if (signal != SIGHUP && now_s() - caught.first_s > kSame_s) {  // the system itself repeats SIGHUP
-      removeDoomedFiles();
+      removeUnfinishedFiles();
       std::signal(signal, SIG_DFL);
       std::raise(signal);
     }

@@ -77,11 +77,11 @@ void becomeTarget(OpenPart& part, const fs::path& shown, const fs::path& target,
 }
 
 PartFile::PartFile(const fs::path& path)
-    : shown_(path), target_(writingDestination(path)), part_(openPart(shown_, target_)), doomed_(part_.name) {}
+    : shown_(path), target_(writingDestination(path)), part_(openPart(shown_, target_)), unfinished_(part_.name) {}
 
 PartFile::~PartFile() {
   if (part_.descriptor >= 0) close(part_.descriptor);
-  doomed_.spare();
+  unfinished_.keep();
   if (!part_.name.empty()) unlink(part_.name.c_str());
 }
 
@@ -95,7 +95,7 @@ void PartFile::write(std::span<const uint8_t> bytes) {
 }
 
 void PartFile::become(Sync sync) {
-  doomed_.spare();  // it is whole, and may be all that there is while its bytes replace the target's
+  unfinished_.keep();  // it is whole, and may be all that there is while its bytes replace the target's
   becomeTarget(part_, shown_, target_, sync);
   part_.name.clear();
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/platform/atomic_file.h"
-#include "host/platform/doomed_file.h"
+#include "host/platform/unfinished_file.h"
 
 namespace gw {
 
@@ -33,8 +33,8 @@ OpenPart openPart(const std::filesystem::path& shown, const std::filesystem::pat
 void becomeTarget(OpenPart& part, const std::filesystem::path& shown, const std::filesystem::path& target,
                   Sync sync = Sync::now);
 
-// A part that is of no use unless it is whole: removed on destruction, and by removeDoomedFiles(), unless it became the
-// target.
+// A part that is of no use unless it is whole: removed on destruction, and by removeUnfinishedFiles(), unless it became
+// the target.
 class PartFile {
  public:
   // Throws FileError about `path`, as all of it does.
@@ -51,7 +51,7 @@ class PartFile {
  private:
   std::filesystem::path shown_, target_;
   OpenPart part_;
-  DoomedFile doomed_;
+  UnfinishedFile unfinished_;
 };
 
 // Whether a running program holds this temporary file.

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "host/video/film_file.h"
+#include "host/video/mp4_writer.h"
 #include "host/video/picture_file.h"
-#include "host/video/picture_folder.h"
+#include "host/video/png_sequence.h"
 
 namespace gw {
 
@@ -32,8 +32,8 @@ bool isOnePicture(const std::filesystem::path& out) {
 
 std::unique_ptr<FrameSink> openFrameSink(const std::filesystem::path& out, PixelSize size, uint32_t framesPerSecond) {
   if (isOnePicture(out)) return std::make_unique<PictureFile>(out);
-  if (out.extension() == ".mp4") return std::make_unique<FilmFile>(out, size, framesPerSecond);
-  return std::make_unique<PictureFolder>(out);
+  if (out.extension() == ".mp4") return std::make_unique<Mp4Writer>(out, size, framesPerSecond);
+  return std::make_unique<PngSequence>(out);
 }
 
 }  // namespace gw

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "game/profile/metrics/frame.h"
-#include "host/platform/growing_file.h"
+#include "host/platform/append_file.h"
 
 namespace gw::profile {
 
@@ -36,7 +36,7 @@ class FramesCsv {
 
   std::filesystem::path path_;
   std::vector<std::string> stages_;
-  GrowingFile file_;
+  AppendFile file_;
   std::string rows_;            // not yet handed to the system
   std::string start_;           // enemies, contender, run
   std::vector<size_t> staged_;  // column of the run's stages -> place in Frame::stages_ms

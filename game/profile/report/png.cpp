@@ -9,9 +9,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "host/platform/fed_process.h"
-#include "host/platform/file_maker.h"
+#include "host/platform/external_tool.h"
 #include "host/platform/part_file.h"
+#include "host/platform/piped_process.h"
 #include "host/platform/user_error.h"
 
 namespace gw::profile {
@@ -22,16 +22,16 @@ namespace fs = std::filesystem;
 
 constexpr const char* kZoom = "2";  // of the picture's own pixels, for screens of twice the resolution
 
-constexpr FileMaker kRsvg = {"rsvg-convert", "librsvg2-bin", "open the SVG beside it"};
+constexpr ExternalTool kRsvg = {"rsvg-convert", "librsvg2-bin", "open the SVG beside it"};
 
 [[noreturn]] void fail(const std::string& sentence) {
   throw UserError(ExitCode::failedRun, sentence);
 }
 
 // None when it is not installed.
-std::unique_ptr<FedProcess> start(const fs::path& path, const std::string& part) {
+std::unique_ptr<PipedProcess> start(const fs::path& path, const std::string& part) {
   try {
-    return std::make_unique<FedProcess>(
+    return std::make_unique<PipedProcess>(
         std::vector<std::string>{"rsvg-convert", "--format", "png", "--zoom", kZoom, "--output", part});
   } catch (const std::system_error& error) {
     if (error.code().value() == ENOENT) return nullptr;

@@ -15,7 +15,7 @@
 #include "game/profile/session/built_from.h"
 #include "gpu/devices/processors.h"
 #include "host/platform/clock.h"
-#include "host/platform/fed_process.h"
+#include "host/platform/piped_process.h"
 
 namespace gw::profile {
 namespace {
@@ -100,8 +100,8 @@ std::optional<GpuState> gpuStateIn(const std::string& lines, const std::string& 
 
 std::optional<GpuState> askGpu(const std::string& device) {
   try {
-    FedProcess tool({"nvidia-smi", "--query-gpu=name,driver_version,clocks.sm,power.draw,temperature.gpu",
-                     "--format=csv,noheader,nounits"});
+    PipedProcess tool({"nvidia-smi", "--query-gpu=name,driver_version,clocks.sm,power.draw,temperature.gpu",
+                       "--format=csv,noheader,nounits"});
     if (tool.wait() == 0) return gpuStateIn(tool.output(), device);
   } catch (const std::system_error&) {
   }

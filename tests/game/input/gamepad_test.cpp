@@ -112,7 +112,7 @@ class GamepadTest : public ::testing::Test {
   }
 
   Gamepad pad;
-  PadTurns turns;
+  PadArbiter turns;
   uint32_t now_ms = 0;
 };
 

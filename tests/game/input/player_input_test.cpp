@@ -305,7 +305,7 @@ TEST_F(PlayerInputTest, AMenuTakesOneStepForAPadThatIsListedTwice) {
 
 TEST_F(PlayerInputTest, AnotherPadMayPressOnceTheFirstIsQuiet) {
   button(kPadDown, true, 1);
-  now_ms += PadTurns::kQuiet_ms - 1;
+  now_ms += PadArbiter::kQuiet_ms - 1;
   button(kPadDown, true, 2);
   EXPECT_EQ(input.menu(0).down, 1);
   button(kPadDown, false, 2);

@@ -10,11 +10,11 @@
 
 #include "game/view/frame_times.h"
 #include "host/platform/atomic_file.h"
-#include "host/platform/fed_process.h"
+#include "host/platform/piped_process.h"
 #include "host/platform/user_error.h"
-#include "host/video/film_file.h"
-#include "host/video/mp4_file.h"
-#include "host/video/picture_folder.h"
+#include "host/video/mp4_check.h"
+#include "host/video/mp4_writer.h"
+#include "host/video/png_sequence.h"
 
 namespace gw::test {
 namespace {
@@ -76,22 +76,22 @@ class Folders : public testing::Test {
 };
 
 TEST_F(Folders, TakeNumberedPicturesAndRefuseASecondRender) {
-  PictureFolder sink(folder_ / "frames");
+  PngSequence sink(folder_ / "frames");
   sink.add(picture());
   sink.add(picture());
   EXPECT_TRUE(fs::exists(folder_ / "frames/frame_000001.png"));
   EXPECT_TRUE(fs::exists(folder_ / "frames/frame_000002.png"));
   EXPECT_EQ(count(folder_ / "frames"), 2u);
-  EXPECT_NE(refusal([&] { PictureFolder(folder_ / "frames"); }).find("give an empty folder"), std::string::npos);
+  EXPECT_NE(refusal([&] { PngSequence(folder_ / "frames"); }).find("give an empty folder"), std::string::npos);
   std::ofstream(folder_ / "notes.txt") << "anything else may stand there";
-  EXPECT_EQ(refusal([&] { PictureFolder{folder_}; }), "");
+  EXPECT_EQ(refusal([&] { PngSequence{folder_}; }), "");
 }
 
 TEST_F(Folders, RefuseWhatIsNoFolder) {
   std::ofstream(folder_ / "file") << "x";
-  EXPECT_NE(refusal([&] { PictureFolder(folder_ / "file"); }).find("it is a file"), std::string::npos);
-  EXPECT_NE(refusal([&] { PictureFolder(folder_ / "file/below"); }).find("choose a folder inside"), std::string::npos);
-  EXPECT_NE(refusal([&] { PictureFolder(folder_ / "none/below"); }).find("choose a folder inside"), std::string::npos);
+  EXPECT_NE(refusal([&] { PngSequence(folder_ / "file"); }).find("it is a file"), std::string::npos);
+  EXPECT_NE(refusal([&] { PngSequence(folder_ / "file/below"); }).find("choose a folder inside"), std::string::npos);
+  EXPECT_NE(refusal([&] { PngSequence(folder_ / "none/below"); }).find("choose a folder inside"), std::string::npos);
 }
 
 // Files that may not grow: what a full disk does, without one.
@@ -111,7 +111,7 @@ class NoRoom {
 };
 
 TEST_F(Folders, LeaveNoHalfPictureWhereThereIsNoRoom) {
-  PictureFolder sink(folder_);
+  PngSequence sink(folder_);
   const NoRoom full(2000);
   EXPECT_NE(refusal([&] { sink.add(picture()); }).find("make room"), std::string::npos);
   EXPECT_EQ(count(folder_), 0u);
@@ -119,7 +119,7 @@ TEST_F(Folders, LeaveNoHalfPictureWhereThereIsNoRoom) {
 
 bool haveFfmpeg() {
   try {
-    return FedProcess({"ffmpeg", "-version"}).wait() == 0;
+    return PipedProcess({"ffmpeg", "-version"}).wait() == 0;
   } catch (const std::system_error&) {
     return false;
   }
@@ -129,11 +129,11 @@ TEST_F(Folders, FilmsTakeTheirNameWhenTheyAreWhole) {
   if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   const fs::path film = folder_ / "a film: 'x'.mp4";
   {
-    FilmFile left(film, {64, 48}, 60);
+    Mp4Writer left(film, {64, 48}, 60);
     left.add(picture());
   }
   EXPECT_EQ(count(folder_), 0u) << "one that was not finished leaves nothing";
-  FilmFile sink(film, {64, 48}, 60);
+  Mp4Writer sink(film, {64, 48}, 60);
   for (int i = 0; i < 5; ++i) sink.add(picture());
   EXPECT_FALSE(fs::exists(film));
   sink.finish();
@@ -146,10 +146,10 @@ TEST_F(Folders, FilmsThatCannotBeSayWhyAndLeaveWhatStoodThere) {
   const fs::path film = folder_ / "film.mp4";
   std::ofstream(film) << "what stood there";
   {
-    FilmFile sink(film, {640, 480}, 60);
+    Mp4Writer sink(film, {640, 480}, 60);
     const NoRoom full(2000);
     const std::string why = refusal([&] {
-      FilmFile small(film, {640, 480}, 60);  // started with the limit
+      Mp4Writer small(film, {640, 480}, 60);  // started with the limit
       for (int i = 0; i < 200; ++i) small.add(picture(640, 480));
       small.finish();
     });
@@ -207,7 +207,7 @@ TEST_F(Folders, AnFfmpegThatMakesNoFilmIsNoticedAndTheEarlierFilmStays) {
   for (const auto& [instead, says] : cases) {
     const Stand stand(programs, kPart + instead);
     const std::string said = refusal([&] {
-      FilmFile sink(film, {64, 48}, 60);
+      Mp4Writer sink(film, {64, 48}, 60);
       for (int i = 0; i < 3; ++i) sink.add(picture());
       sink.finish();
     });
@@ -222,7 +222,7 @@ TEST_F(Folders, AnFfmpegThatMakesNoFilmIsNoticedAndTheEarlierFilmStays) {
 TEST_F(Folders, AFilmThatWasCutShortIsNone) {
   if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   const fs::path film = folder_ / "film.mp4", cut = folder_ / "cut.mp4";
-  FilmFile sink(film, {64, 48}, 60);
+  Mp4Writer sink(film, {64, 48}, 60);
   for (int i = 0; i < 5; ++i) sink.add(picture());
   sink.finish();
   EXPECT_TRUE(isWholeMp4(film));
@@ -246,11 +246,11 @@ void expectTrueColours(const fs::path& film) {
       bars.rgb.insert(bars.rgb.end(), std::begin(kColours[x / kSide]), std::end(kColours[x / kSide]));
     }
   }
-  FilmFile sink(film, bars.size, 60);
+  Mp4Writer sink(film, bars.size, 60);
   for (int i = 0; i < 3; ++i) sink.add(bars);
   sink.finish();
-  FedProcess decoder({"ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-i", film.string(), "-frames:v", "1",
-                      "-f", "rawvideo", "-pix_fmt", "rgb24", film.string() + ".rgb", "-y"});
+  PipedProcess decoder({"ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-i", film.string(), "-frames:v",
+                        "1", "-f", "rawvideo", "-pix_fmt", "rgb24", film.string() + ".rgb", "-y"});
   ASSERT_EQ(decoder.wait(), 0) << decoder.output();
   const std::string rgb = bytesOf(film.string() + ".rgb");
   ASSERT_EQ(rgb.size(), bars.rgb.size());
@@ -260,8 +260,9 @@ void expectTrueColours(const fs::path& film) {
       EXPECT_NEAR(int(uint8_t(rgb[middle + channel])), kColours[bar][channel], 5) << "bar " << bar << " of " << film;
     }
   }
-  FedProcess probe({"ffprobe", "-v", "error", "-select_streams", "v", "-show_entries",
-                    "stream=color_range,color_space,color_transfer,color_primaries", "-of", "csv=p=0", film.string()});
+  PipedProcess probe({"ffprobe", "-v", "error", "-select_streams", "v", "-show_entries",
+                      "stream=color_range,color_space,color_transfer,color_primaries", "-of", "csv=p=0",
+                      film.string()});
   EXPECT_EQ(probe.wait(), 0);
   EXPECT_EQ(probe.output(), "tv,bt709,bt709,bt709\n") << film;
 }
@@ -269,29 +270,29 @@ void expectTrueColours(const fs::path& film) {
 TEST_F(Folders, FilmsShowTheColoursThatWereDrawn) {
   if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   expectTrueColours(folder_ / "best.mp4");
-  FedProcess where({"sh", "-c", "command -v ffmpeg"});
+  PipedProcess where({"sh", "-c", "command -v ffmpeg"});
   ASSERT_EQ(where.wait(), 0);
   const std::string real = where.output().substr(0, where.output().find('\n'));
   const Stand poor(folder_ / "programs", "case \"$*\" in *-encoders*) exit 0;; esac; exec " + real + " \"$@\"");
   expectTrueColours(folder_ / "mpeg4.mp4");
 }
 
-TEST(FedProcess, SaysThatAProgramIsNotThereAndHowItEnded) {
+TEST(PipedProcess, SaysThatAProgramIsNotThereAndHowItEnded) {
   try {
-    FedProcess({"no-such-program-anywhere"});
+    PipedProcess({"no-such-program-anywhere"});
     FAIL();
   } catch (const std::system_error& error) {
     EXPECT_EQ(error.code().value(), ENOENT);
   }
-  FedProcess echo({"cat", "-"});
+  PipedProcess echo({"cat", "-"});
   const std::string words = "several words; $HOME `x`";
   EXPECT_TRUE(echo.write({reinterpret_cast<const uint8_t*>(words.data()), words.size()}));
   EXPECT_EQ(echo.wait(), 0);
   EXPECT_EQ(echo.output(), words);
-  FedProcess argument({"printf", "%s", "$HOME *"});
+  PipedProcess argument({"printf", "%s", "$HOME *"});
   EXPECT_EQ(argument.wait(), 0);
   EXPECT_EQ(argument.output(), "$HOME *");
-  FedProcess deaf({"false"});
+  PipedProcess deaf({"false"});
   const std::vector<uint8_t> much(1 << 20);
   EXPECT_FALSE(deaf.write(much)) << "a program that does not read is noticed, not died of";
   EXPECT_EQ(deaf.wait(), 1);

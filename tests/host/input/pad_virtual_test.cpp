@@ -37,7 +37,7 @@ class VirtualPadTest : public ::testing::Test {
   }
   // Long enough for another pad to press.
   void rest() {
-    SDL_Delay(PadTurns::kQuiet_ms + 10);
+    SDL_Delay(PadArbiter::kQuiet_ms + 10);
     pump();
   }
   SDL_Joystick* attach() {

@@ -13,11 +13,11 @@
 #include <iterator>
 #include <string>
 
+#include "host/platform/append_file.h"
 #include "host/platform/atomic_file.h"
-#include "host/platform/doomed_file.h"
-#include "host/platform/growing_file.h"
 #include "host/platform/remedy.h"
 #include "host/platform/replace_file.h"
+#include "host/platform/unfinished_file.h"
 
 namespace gw::test {
 namespace {
@@ -72,7 +72,7 @@ TEST_F(Written, AFileKeepsItsPermissions) {
     writeFileAtomically(path, bytesOf("new"));
     EXPECT_EQ(content(path), "new");
     EXPECT_EQ(modeOf(path), mode);
-    GrowingFile growing(path);
+    AppendFile growing(path);
     EXPECT_EQ(modeOf(growing.path()), mode) << "so what only its owner may read is never readable by others";
     growing.append(bytesOf("grown"));
     growing.become();
@@ -164,13 +164,13 @@ TEST_F(Written, ARemedyForEachCause) {
   EXPECT_EQ(errorNamedIn(""), 0);
 }
 
-TEST_F(Written, DoomedFilesGoWithTheProgramUnlessTheyAreSpared) {
+TEST_F(Written, UnfinishedFilesGoWithTheProgramUnlessTheyAreKept) {
   const fs::path lost = put("lost", "x", 0644), spared = put("spared", "x", 0644), gone = put("gone", "x", 0644);
-  const DoomedFile one(lost.string());
-  DoomedFile two(spared.string());
-  { const DoomedFile three(gone.string()); }
-  two.spare();
-  removeDoomedFiles();
+  const UnfinishedFile one(lost.string());
+  UnfinishedFile two(spared.string());
+  { const UnfinishedFile three(gone.string()); }
+  two.keep();
+  removeUnfinishedFiles();
   EXPECT_FALSE(fs::exists(lost));
   EXPECT_TRUE(fs::exists(spared));
   EXPECT_TRUE(fs::exists(gone));

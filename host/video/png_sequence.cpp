@@ -1,4 +1,4 @@
-#include "host/video/picture_folder.h"
+#include "host/video/png_sequence.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ bool isFrame(const fs::path& file) {
 
 }  // namespace
 
-PictureFolder::PictureFolder(const fs::path& folder) : folder_(folder) {
+PngSequence::PngSequence(const fs::path& folder) : folder_(folder) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
   if (!fs::exists(status)) {
@@ -48,7 +48,7 @@ PictureFolder::PictureFolder(const fs::path& folder) : folder_(folder) {
   }
 }
 
-void PictureFolder::add(const Image& image) {
+void PngSequence::add(const Image& image) {
   // Thousands of them: the disk may take its time, a film of pictures is made again after a power cut.
   writePicture(folder_ / fmt::format("frame_{:06}.png", ++frames_), image, Sync::later);
 }

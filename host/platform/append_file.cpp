@@ -1,4 +1,4 @@
-#include "host/platform/growing_file.h"
+#include "host/platform/append_file.h"
 
 #include <sys/types.h>
 #include <unistd.h>
@@ -8,14 +8,14 @@
 
 namespace gw {
 
-GrowingFile::GrowingFile(const std::filesystem::path& path)
+AppendFile::AppendFile(const std::filesystem::path& path)
     : shown_(path), target_(writingDestination(path)), part_(openPart(shown_, target_)) {}
 
-GrowingFile::~GrowingFile() {
+AppendFile::~AppendFile() {
   if (part_.descriptor >= 0) close(part_.descriptor);
 }
 
-bool GrowingFile::append(std::span<const uint8_t> bytes) {
+bool AppendFile::append(std::span<const uint8_t> bytes) {
   if (part_.descriptor < 0) return false;
   for (size_t done = 0; done < bytes.size();) {
     const ssize_t written = pwrite(part_.descriptor, bytes.data() + done, bytes.size() - done, off_t(length_ + done));
@@ -32,14 +32,14 @@ bool GrowingFile::append(std::span<const uint8_t> bytes) {
   return true;
 }
 
-void GrowingFile::remove() {
+void AppendFile::remove() {
   if (part_.name.empty()) return;
   unlink(part_.name.c_str());
   part_.name.clear();
   if (part_.descriptor >= 0) close(std::exchange(part_.descriptor, -1));
 }
 
-void GrowingFile::become() {
+void AppendFile::become() {
   becomeTarget(part_, shown_, target_);
   part_.name.clear();
 }

@@ -1,4 +1,4 @@
-#include "host/platform/file_maker.h"
+#include "host/platform/external_tool.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ std::string withoutOrigin(std::string line) {
   return first == line.npos ? "" : line.substr(first, last - first + 1);
 }
 
-std::string plainPackage(const FileMaker& maker) {
+std::string plainPackage(const ExternalTool& maker) {
   return fmt::format(
       "a snap or Flatpak sees other folders; install it as a plain package (Debian, Ubuntu: apt install {})",
       maker.package);
@@ -28,7 +28,7 @@ std::string plainPackage(const FileMaker& maker) {
 
 // What helps against `error`, and a comma; nothing when that is not known. This program has made the file just before,
 // so a folder that the other one does not find, or may not write to, is one that is kept from it.
-std::string programRemedy(const FileMaker& maker, int error) {
+std::string programRemedy(const ExternalTool& maker, int error) {
   switch (error) {
     case ENOENT:
     case ENOTDIR:
@@ -56,7 +56,8 @@ std::string firstCause(const std::string& said) {
   return first;
 }
 
-std::string couldNotMake(const FileMaker& maker, const std::filesystem::path& path, const std::string& said, int code) {
+std::string couldNotMake(const ExternalTool& maker, const std::filesystem::path& path, const std::string& said,
+                         int code) {
   std::string cause = firstCause(said);
   const int error = errorNamedIn(cause);
   if (cause.empty()) cause = code == 0 ? "it stopped reading" : fmt::format("it ended with {}", code);
@@ -64,12 +65,12 @@ std::string couldNotMake(const FileMaker& maker, const std::filesystem::path& pa
                      programRemedy(maker, error), maker.otherwise);
 }
 
-std::string madeNothing(const FileMaker& maker, const std::filesystem::path& path) {
+std::string madeNothing(const ExternalTool& maker, const std::filesystem::path& path) {
   return fmt::format("{} ended well but wrote nothing to {}: {}, or {}.", maker.program, path.string(),
                      plainPackage(maker), maker.otherwise);
 }
 
-std::string madeSomethingElse(const FileMaker& maker, const std::filesystem::path& path, const char* what) {
+std::string madeSomethingElse(const ExternalTool& maker, const std::filesystem::path& path, const char* what) {
   return fmt::format(
       "{} ended well but what it wrote to {} is not {}, whole: reinstall it (Debian, Ubuntu: apt "
       "install --reinstall {}), or {}.",

@@ -10,13 +10,13 @@
 
 namespace gw {
 
-class FedProcess {
+class PipedProcess {
  public:
   // Throws std::system_error as spawn() does.
-  explicit FedProcess(const std::vector<std::string>& arguments);
-  ~FedProcess();  // one that was not waited for is killed
-  FedProcess(const FedProcess&) = delete;
-  FedProcess& operator=(const FedProcess&) = delete;
+  explicit PipedProcess(const std::vector<std::string>& arguments);
+  ~PipedProcess();  // one that was not waited for is killed
+  PipedProcess(const PipedProcess&) = delete;
+  PipedProcess& operator=(const PipedProcess&) = delete;
 
   // To its standard input. False when it no longer reads.
   bool write(std::span<const uint8_t> bytes);

@@ -1,4 +1,4 @@
-#include "host/platform/fed_process.h"
+#include "host/platform/piped_process.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -13,7 +13,7 @@
 
 namespace gw {
 
-FedProcess::FedProcess(const std::vector<std::string>& arguments) {
+PipedProcess::PipedProcess(const std::vector<std::string>& arguments) {
   std::signal(SIGPIPE, SIG_IGN);  // one that dies early is noticed by write()
   int ends[2];
   output_ = memfd_create("output", MFD_CLOEXEC);
@@ -31,7 +31,7 @@ FedProcess::FedProcess(const std::vector<std::string>& arguments) {
   close(ends[0]);
 }
 
-FedProcess::~FedProcess() {
+PipedProcess::~PipedProcess() {
   closeInput();
   if (pid_ > 0) {
     kill(pid_, SIGKILL);
@@ -40,12 +40,12 @@ FedProcess::~FedProcess() {
   close(output_);
 }
 
-void FedProcess::closeInput() {
+void PipedProcess::closeInput() {
   if (input_ >= 0) close(input_);
   input_ = -1;
 }
 
-bool FedProcess::write(std::span<const uint8_t> bytes) {
+bool PipedProcess::write(std::span<const uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(input_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
@@ -55,12 +55,12 @@ bool FedProcess::write(std::span<const uint8_t> bytes) {
   return true;
 }
 
-int FedProcess::wait() {
+int PipedProcess::wait() {
   closeInput();
   return waitFor(std::exchange(pid_, -1));
 }
 
-std::string FedProcess::output() const {
+std::string PipedProcess::output() const {
   std::string text;
   char part[4096];
   for (off_t at = 0;;) {

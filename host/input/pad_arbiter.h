@@ -12,7 +12,7 @@
 
 namespace gw {
 
-class PadTurns {
+class PadArbiter {
  public:
   // Longer than two drivers lie apart, shorter than a hand needs from one pad to another.
   static constexpr int32_t kQuiet_ms = 50;

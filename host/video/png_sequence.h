@@ -5,11 +5,11 @@
 
 namespace gw {
 
-class PictureFolder final : public FrameSink {
+class PngSequence final : public FrameSink {
  public:
   // Makes the folder where there is none. Throws UserError when it cannot be one, or holds frames already: two
   // renders in one folder would look like one film.
-  explicit PictureFolder(const std::filesystem::path& folder);
+  explicit PngSequence(const std::filesystem::path& folder);
 
   void add(const Image& image) override;
   void finish() override {}

@@ -9,14 +9,14 @@
 
 namespace gw {
 
-class GrowingFile {
+class AppendFile {
  public:
   // Makes TARGET.part-PID-N. Throws FileError about `path` when it cannot.
-  explicit GrowingFile(const std::filesystem::path& path);
+  explicit AppendFile(const std::filesystem::path& path);
   // The file stays, as a killed program leaves it; remove() deletes it.
-  ~GrowingFile();
-  GrowingFile(const GrowingFile&) = delete;
-  GrowingFile& operator=(const GrowingFile&) = delete;
+  ~AppendFile();
+  AppendFile(const AppendFile&) = delete;
+  AppendFile& operator=(const AppendFile&) = delete;
 
   // Hands the bytes to the system, all or none; false when the disk takes no more, and the same bytes may be tried
   // again later. They outlive the program from then on. Nothing is synced to the disk, which would stall a tick: a

@@ -6,7 +6,7 @@
 
 namespace gw {
 
-struct FileMaker {
+struct ExternalTool {
   const char* program;
   const char* package;    // of Debian and Ubuntu
   const char* otherwise;  // what the user can do without it: "give a folder as --out to get the pictures"
@@ -17,10 +17,11 @@ struct FileMaker {
 std::string firstCause(const std::string& said);
 
 // Each is one sentence. It failed with `code` (0: it ended before it had read all), and `said` something:
-std::string couldNotMake(const FileMaker& maker, const std::filesystem::path& path, const std::string& said, int code);
+std::string couldNotMake(const ExternalTool& maker, const std::filesystem::path& path, const std::string& said,
+                         int code);
 // It ended well, and what should be at `path` is empty or not there:
-std::string madeNothing(const FileMaker& maker, const std::filesystem::path& path);
+std::string madeNothing(const ExternalTool& maker, const std::filesystem::path& path);
 // It ended well, and what it wrote is not `what` ("a film"), or only a part of it:
-std::string madeSomethingElse(const FileMaker& maker, const std::filesystem::path& path, const char* what);
+std::string madeSomethingElse(const ExternalTool& maker, const std::filesystem::path& path, const char* what);
 
 }  // namespace gw

@@ -4,16 +4,16 @@
 
 #include <memory>
 
-#include "host/platform/fed_process.h"
 #include "host/platform/part_file.h"
+#include "host/platform/piped_process.h"
 #include "host/video/frame_sink.h"
 
 namespace gw {
 
-class FilmFile final : public FrameSink {
+class Mp4Writer final : public FrameSink {
  public:
   // Throws UserError when there is no ffmpeg, FileError when the file cannot be written.
-  FilmFile(const std::filesystem::path& path, PixelSize size, uint32_t framesPerSecond);
+  Mp4Writer(const std::filesystem::path& path, PixelSize size, uint32_t framesPerSecond);
 
   void add(const Image& image) override;
   void finish() override;
@@ -24,7 +24,7 @@ class FilmFile final : public FrameSink {
 
   std::filesystem::path path_;
   PartFile part_;
-  std::unique_ptr<FedProcess> encoder_;  // ended before its file goes
+  std::unique_ptr<PipedProcess> encoder_;  // ended before its file goes
   uint32_t frames_ = 0;
 };
 

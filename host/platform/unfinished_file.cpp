@@ -1,4 +1,4 @@
-#include "host/platform/doomed_file.h"
+#include "host/platform/unfinished_file.h"
 
 #include <unistd.h>
 
@@ -13,7 +13,7 @@ static_assert(std::atomic<const char*>::is_always_lock_free, "a handler may not 
 
 }  // namespace
 
-DoomedFile::DoomedFile(std::string name) : name_(std::move(name)) {
+UnfinishedFile::UnfinishedFile(std::string name) : name_(std::move(name)) {
   for (std::atomic<const char*>& slot : slots) {
     const char* none = nullptr;
     if (!slot.compare_exchange_strong(none, name_.c_str())) continue;
@@ -22,11 +22,11 @@ DoomedFile::DoomedFile(std::string name) : name_(std::move(name)) {
   }
 }
 
-void DoomedFile::spare() {
+void UnfinishedFile::keep() {
   if (slot_ != nullptr) std::exchange(slot_, nullptr)->store(nullptr);
 }
 
-void removeDoomedFiles() {
+void removeUnfinishedFiles() {
   for (const std::atomic<const char*>& slot : slots) {
     if (const char* name = slot.load()) unlink(name);
   }

@@ -1,4 +1,4 @@
-#include "host/video/mp4_file.h"
+#include "host/video/mp4_check.h"
 
 #include <cstdint>
 #include <fstream>

@@ -1,20 +1,20 @@
-#include "host/video/film_file.h"
+#include "host/video/mp4_writer.h"
 
 #include <fmt/format.h>
 
 #include <system_error>
 
-#include "host/platform/file_maker.h"
+#include "host/platform/external_tool.h"
 #include "host/platform/user_error.h"
-#include "host/video/mp4_file.h"
+#include "host/video/mp4_check.h"
 
 namespace gw {
 
 namespace {
 
-std::unique_ptr<FedProcess> start(const std::vector<std::string>& arguments) {
+std::unique_ptr<PipedProcess> start(const std::vector<std::string>& arguments) {
   try {
-    return std::make_unique<FedProcess>(arguments);
+    return std::make_unique<PipedProcess>(arguments);
   } catch (const std::system_error& error) {
     if (error.code().value() == ENOENT) {
       throw UserError(ExitCode::failedRun,
@@ -42,11 +42,11 @@ constexpr const char* kColours =
     "scale=out_color_matrix=bt709:out_range=tv,"
     "setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=bt709";
 
-constexpr FileMaker kFfmpeg = {"ffmpeg", "ffmpeg", "give a folder as --out to get the pictures"};
+constexpr ExternalTool kFfmpeg = {"ffmpeg", "ffmpeg", "give a folder as --out to get the pictures"};
 
 }  // namespace
 
-FilmFile::FilmFile(const std::filesystem::path& path, PixelSize size, uint32_t framesPerSecond)
+Mp4Writer::Mp4Writer(const std::filesystem::path& path, PixelSize size, uint32_t framesPerSecond)
     : path_(path), part_(path) {
   std::vector<std::string> arguments = {"ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
   const auto append = [&](const std::vector<std::string>& more) {
@@ -61,7 +61,7 @@ FilmFile::FilmFile(const std::filesystem::path& path, PixelSize size, uint32_t f
   encoder_ = start(arguments);
 }
 
-void FilmFile::endEncoder(bool whole) {
+void Mp4Writer::endEncoder(bool whole) {
   const auto refuse = [](const std::string& sentence) { throw UserError(ExitCode::failedRun, sentence); };
   const int code = encoder_->wait();
   if (code != 0 || !whole) refuse(couldNotMake(kFfmpeg, path_, encoder_->output(), code));
@@ -71,12 +71,12 @@ void FilmFile::endEncoder(bool whole) {
   if (!isWholeMp4(part_.name())) refuse(madeSomethingElse(kFfmpeg, path_, "a film"));
 }
 
-void FilmFile::add(const Image& image) {
+void Mp4Writer::add(const Image& image) {
   if (!encoder_->write(image.rgb)) endEncoder(false);
   ++frames_;
 }
 
-void FilmFile::finish() {
+void Mp4Writer::finish() {
   if (frames_ == 0) return;
   endEncoder(true);
   part_.become();
