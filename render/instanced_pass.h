@@ -1,5 +1,5 @@
 // What the passes that draw from vertex buffers share: program, vertex layout, buffer and draw call. A pass adds its
-// uniforms and its blending. How to add one: docs/guide/extending.md.
+// uniforms and its blending.
 #pragma once
 
 #include <algorithm>
