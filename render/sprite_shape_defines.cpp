@@ -1,8 +1,8 @@
 #include "render/sprite_shape_defines.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "render/sprite_shapes.h"
 
@@ -11,11 +11,11 @@ namespace {
 
 constexpr uint32_t kMostSides = 3;
 
-// With all digits, so that the shader computes with the same float.
+// With all digits, so that the shader computes with the same float, and with a point in every locale.
 std::string text(float value) {
   char digits[32];
-  std::snprintf(digits, sizeof digits, "%.9g", double(value));
-  std::string number = digits;
+  const auto end = std::to_chars(digits, digits + sizeof digits, double(value), std::chars_format::general, 9).ptr;
+  std::string number(digits, end);
   if (number.find_first_of(".e") == std::string::npos) number += ".0";
   return number;
 }
