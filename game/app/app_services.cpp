@@ -6,7 +6,7 @@ namespace gw {
 
 namespace {
 
-WindowOptions windowOptions(const Options& options, const Settings& settings) {
+WindowOptions windowOptions(const DesktopOptions& options, const Settings& settings) {
   WindowOptions window;
   window.size = {int(options.width_px), int(options.height_px)};
   window.fullscreen = options.fullscreen || settings.video.fullscreen;
@@ -20,7 +20,7 @@ void configure(PlayerInput& input, const Settings& settings) {
 
 }  // namespace
 
-AppServices::AppServices(const Options& options, const Settings& settings, const std::filesystem::path& assets)
+AppServices::AppServices(const DesktopOptions& options, const Settings& settings, const std::filesystem::path& assets)
     : window(windowOptions(options, settings)),
       instruments(window.context()),
       view(assets, settings.effects),

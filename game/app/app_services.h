@@ -7,7 +7,7 @@
 #include "game/app/game_window.h"
 #include "game/app/run_view.h"
 #include "game/audio/audio.h"
-#include "game/cli/command_line.h"
+#include "game/cli/desktop_options.h"
 #include "game/input/player_input.h"
 #include "game/overlay/instruments.h"
 #include "game/session/fixed_timestep.h"
@@ -18,7 +18,7 @@ namespace gw {
 
 struct AppServices {
   // Throws UserError when the window cannot be opened, or an asset is missing or damaged.
-  AppServices(const Options& options, const Settings& settings, const std::filesystem::path& assets);
+  AppServices(const DesktopOptions& options, const Settings& settings, const std::filesystem::path& assets);
   AppServices(const AppServices&) = delete;
   AppServices& operator=(const AppServices&) = delete;
 

@@ -8,7 +8,7 @@
 #include "game/app/player_settings.h"
 #include "game/app/practice_controls.h"
 #include "game/app/screen_flow.h"
-#include "game/commands/commands.h"
+#include "game/app/window_sessions.h"
 #include "game/session/run_factory.h"
 #include "game/settings/settings_menu.h"
 #include "game/ui/crosshair.h"
@@ -44,7 +44,7 @@ constexpr double kFailureShown_s = 10;
 
 class PlaySession : public Session {
  public:
-  PlaySession(const Options& options, RunFactory& factory, PlayerSettings& settings, AppServices& services)
+  PlaySession(const PlayOptions& options, RunFactory& factory, PlayerSettings& settings, AppServices& services)
       : options_(options), factory_(factory), settings_(settings), services_(services), mode_(options.mode) {
     sayWhy(factory_.device());
     // With a bot or a number of ticks the run starts at once, without the title.
@@ -80,7 +80,7 @@ class PlaySession : public Session {
   void startAttract();
   void keepBest();
 
-  const Options& options_;
+  const PlayOptions& options_;
   RunFactory& factory_;
   PlayerSettings& settings_;
   AppServices& services_;
@@ -316,7 +316,7 @@ void PlaySession::keepBest() {
 
 }  // namespace
 
-ExitCode playWindow(const Options& options) {
+ExitCode playWindow(const PlayOptions& options) {
   catchInterrupts();  // before SDL, which would end the program without reporting the signal
   RunFactory factory(options);
   PlayerSettings settings(options);

@@ -12,7 +12,7 @@ void print(const std::vector<std::string>& sentences) {
 
 }  // namespace
 
-PlayerSettings::PlayerSettings(const Options& options)
+PlayerSettings::PlayerSettings(const DesktopOptions& options)
     : file(options.settingsPath.empty() ? usualSettingsPath() : options.settingsPath) {
   std::vector<std::string> sentences;
   now = file.read(sentences);

@@ -7,8 +7,7 @@
 
 #include "game/app/frame_loop.h"
 #include "game/app/player_settings.h"
-#include "game/commands/commands.h"
-#include "game/commands/hash_file.h"
+#include "game/app/window_sessions.h"
 #include "game/replay_viewer/free_camera.h"
 #include "game/replay_viewer/replay_viewer.h"
 #include "game/replay_viewer/speeds.h"
@@ -25,6 +24,7 @@
 #include "host/platform/asset_folder.h"
 #include "host/platform/clock.h"
 #include "host/platform/interrupt.h"
+#include "host/platform/number_format.h"
 #include "host/platform/user_error.h"
 
 namespace gw {
@@ -53,13 +53,13 @@ std::vector<std::pair<uint32_t, PracticeRequest>> requestsOf(const Replay& repla
 
 // What is watched, found before the window opens.
 struct WatchedReplay {
-  explicit WatchedReplay(const Options& options)
+  explicit WatchedReplay(const ReplayOptions& options)
       : options(options),
-        replay(readWatched(options)),
+        replay(readWatched(options.file)),
         config(replayConfig(replay)),
         device(chooseDevice(options.device)) {}
 
-  const Options& options;
+  const ReplayOptions& options;
   Replay replay;
   SimulationConfig config;
   DeviceChoice device;
@@ -75,7 +75,7 @@ class ReplaySession : public Session {
         settings_(settings),
         services_(services),
         speed_(options_.speed) {
-    setComputingOf(config_, options_, options_.files.front().string());
+    setComputingOf(config_, options_, options_.file.string());
     config_.particles = true;
     if (config_.mode == Mode::practice) requests_ = requestsOf(replay_, config_.rules);
     sayWhy(device_);
@@ -115,7 +115,7 @@ class ReplaySession : public Session {
   void drawRequest(Canvas& canvas) const;
   TimeBarFrame timeBar() const;
 
-  const Options& options_;
+  const ReplayOptions& options_;
   const Replay& replay_;
   SimulationConfig& config_;
   const DeviceChoice& device_;
@@ -311,7 +311,7 @@ void ReplaySession::drawRequest(Canvas& canvas) const {
 }
 
 void ReplaySession::finish() const {
-  const std::string file = options_.files.front().string();
+  const std::string file = options_.file.string();
   std::printf("%s: left at tick %u of %u, state hash %s\n", file.c_str(), viewer_->tick(), viewer_->ticks(),
               hexadecimal(viewer_->run().last().hash).c_str());
   const auto differs = viewer_->differsFrom();
@@ -322,11 +322,11 @@ void ReplaySession::finish() const {
 
 }  // namespace
 
-ExitCode watchReplay(const Options& options) {
+ExitCode watchReplay(const ReplayOptions& options) {
   catchInterrupts();
   WatchedReplay watched(options);
   const PlayerSettings settings(options);
-  const uint32_t fromTick = tickInside(options, "--from", options.fromTick.value_or(0), watched.replay);
+  const uint32_t fromTick = tickInside(options.file, "--from", options.fromTick, watched.replay);
   AppServices services(options, settings.now, findAssetFolder(options.assetsDir));
   ReplaySession session(watched, settings.now, fromTick, services);
   FrameLoop(services, session).run();

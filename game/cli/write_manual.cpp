@@ -5,8 +5,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "game/cli/bash_completion.h"
-#include "game/cli/man_page.h"
+#include "game/cli/command_line.h"
+#include "host/cli/bash_completion.h"
+#include "host/cli/man_page.h"
 
 namespace {
 
@@ -30,12 +31,13 @@ int main(int argc, char** argv) {
   try {
     const fs::path folder = argv[1];
     const gw::PageHead head{argv[2], argv[3]};
+    const gw::ProgramText& program = gw::programText();
     const std::vector<gw::VerbText> verbs = gw::describeCommandLine();
-    write(folder / "man6/gpuwars.6", gw::mainPage(verbs, head));
+    write(folder / "man6" / (program.name + ".6"), gw::mainPage(program, verbs, head));
     for (const gw::VerbText& verb : verbs) {
-      write(folder / "man6" / ("gpuwars-" + verb.name + ".6"), gw::verbPage(verb, head));
+      write(folder / "man6" / (program.name + "-" + verb.name + ".6"), gw::verbPage(program, verb, head));
     }
-    write(folder / "completions/gpuwars", gw::bashCompletion(verbs));
+    write(folder / "completions" / program.name, gw::bashCompletion(program, verbs));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gw_write_manual: %s\n", error.what());
     return 1;

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "game/commands/commands.h"
+#include "game/cli/devices_options.h"
 #include "game/commands/json_output.h"
 #include "game/sim/kernel_target.h"
 #include "gpu/devices/device_list.h"
@@ -88,7 +88,7 @@ void print(const DeviceList& list, const std::vector<GlRenderer>& renderers) {
 
 }  // namespace
 
-ExitCode listDevicesCommand(const Options& options) {
+ExitCode runVerb(const DevicesOptions& options) {
   const DeviceList list = listDevices();
   const std::vector<GlRenderer> renderers = listGlRenderers();
   if (options.jsonPath.empty()) {

@@ -5,8 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "game/commands/commands.h"
-#include "game/commands/hash_file.h"
+#include "game/cli/diff_options.h"
 #include "game/commands/json_output.h"
 #include "game/replay/replay_diff.h"
 #include "game/replay/replay_reader.h"
@@ -37,7 +36,7 @@ std::string resultText(const Replay& replay) {
 }
 
 // A line for each kind of difference; what differs in A, then in B.
-void print(const ReplayDiff& diff, const Replay& a, const Replay& b, const Options& options) {
+void print(const ReplayDiff& diff, const Replay& a, const Replay& b, const DiffOptions& options) {
   const std::string nameA = options.files[0].string(), nameB = options.files[1].string();
   if (diff.same()) {
     fmt::print("same run: {} and {}: {}\n", nameA, nameB, resultText(a));
@@ -86,7 +85,7 @@ Json fileJson(const std::filesystem::path& file, const Replay& replay) {
 }
 
 // What does not differ is null or empty.
-Json toJson(const ReplayDiff& diff, const Replay& a, const Replay& b, const Options& options) {
+Json toJson(const ReplayDiff& diff, const Replay& a, const Replay& b, const DiffOptions& options) {
   Json json;
   json["same"] = diff.same();
   json["a"] = fileJson(options.files[0], a);
@@ -115,7 +114,7 @@ Json toJson(const ReplayDiff& diff, const Replay& a, const Replay& b, const Opti
 
 }  // namespace
 
-ExitCode diffTwoReplays(const Options& options) {
+ExitCode runVerb(const DiffOptions& options) {
   const auto read = [&](size_t index) {
     return readReplay(options.files[index], SimulationVersions::any, Completeness::partial);
   };

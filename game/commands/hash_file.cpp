@@ -36,10 +36,4 @@ void HashFile::close() {
   }
 }
 
-std::string hexadecimal(uint64_t hash) {
-  char text[20];
-  std::snprintf(text, sizeof text, "%016" PRIx64, hash);
-  return text;
-}
-
 }  // namespace gw

@@ -33,6 +33,4 @@ class HashFile {
   std::FILE* file_ = nullptr;
 };
 
-std::string hexadecimal(uint64_t hash);  // 16 digits
-
 }  // namespace gw

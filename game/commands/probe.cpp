@@ -1,8 +1,9 @@
 // gpuwars probe FILE: plays a recorded run as it is asked to, line by line, and says what it sees; the other end of
-// 'gpuwars verify --reference'. docs/design/determinism.md tells what for, game/desync/probe_protocol.h the messages.
+// 'gpuwars verify --reference'. docs/design/determinism.md has the purpose, game/desync/probe_protocol.h the
+// protocol.
 #include <iostream>
 
-#include "game/commands/commands.h"
+#include "game/cli/probe_options.h"
 #include "game/desync/local_probe.h"
 #include "game/desync/probe_protocol.h"
 #include "game/replay/replay_reader.h"
@@ -10,10 +11,10 @@
 
 namespace gw {
 
-ExitCode answerAsProbe(const Options& options) {
-  const Replay replay = readReplay(options.files.front());
+ExitCode runVerb(const ProbeOptions& options) {
+  const Replay replay = readReplay(options.file);
   SimulationConfig config = replayConfig(replay);
-  setComputingOf(config, options, options.files.front().string());
+  setComputingOf(config, options, options.file.string());
   const DeviceChoice device = chooseDevice(options.device);
   LocalProbe probe([&] { return makeSimulation(device, config); }, replay.inputs);
   serveProbe(

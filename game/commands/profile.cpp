@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "game/commands/commands.h"
+#include "game/cli/profile_options.h"
 #include "game/commands/progress.h"
 #include "game/profile/metrics/baseline.h"
 #include "game/profile/report/frames_csv.h"
@@ -26,7 +26,7 @@ namespace {
 
 using namespace profile;
 
-std::vector<ContenderChoice> contendersOf(const Options& options) {
+std::vector<ContenderChoice> contendersOf(const ProfileOptions& options) {
   const std::string list = options.compare.empty() ? nameOf(options.broadPhase) : options.compare;
   std::vector<ContenderChoice> contenders = parseContenders(list);
   for (ContenderChoice& contender : contenders) {
@@ -37,7 +37,7 @@ std::vector<ContenderChoice> contendersOf(const Options& options) {
   return contenders;
 }
 
-SessionPlan planOf(const Options& options) {
+SessionPlan planOf(const ProfileOptions& options) {
   SessionPlan plan;
   plan.scene = options.scene;
   plan.replay = options.replayPath;
@@ -67,7 +67,7 @@ std::string durationText(double seconds) {
 // What a session hands out while it runs: frames.csv and the trace, and how far it is.
 class Outputs {
  public:
-  Outputs(const Options& options, const std::filesystem::path& folder) : options_(options), folder_(folder) {
+  Outputs(const ProfileOptions& options, const std::filesystem::path& folder) : options_(options), folder_(folder) {
     if (!options.tracePath.empty()) checkWritable(options.tracePath);
   }
 
@@ -102,7 +102,7 @@ class Outputs {
   }
 
  private:
-  const Options& options_;
+  const ProfileOptions& options_;
   std::filesystem::path folder_;
   std::optional<FramesCsv> csv_;
   Trace trace_;
@@ -118,7 +118,7 @@ ExitCode compare(const Report& report, const Report& baseline) {
 
 }  // namespace
 
-ExitCode profileGame(const Options& options) {
+ExitCode runVerb(const ProfileOptions& options) {
   catchInterrupts();
   SessionPlan plan = planOf(options);
   std::optional<Report> baseline;

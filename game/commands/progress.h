@@ -13,10 +13,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Takes its line away, so that something else can be printed there.
+  // Removes its line, so that something else can be printed there.
   void clear();
 
-  // Cheap: writes a few times a second. `more` is printed behind it.
+  // Cheap: writes a few times a second. `more` follows the count.
   void show(uint64_t done, const std::string& more = {});
 
  private:

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "game/commands/commands.h"
+#include "game/cli/render_options.h"
 #include "game/commands/progress.h"
 #include "game/replay_viewer/replay_player.h"
 #include "game/session/device_choice.h"
@@ -22,11 +22,11 @@ namespace gw {
 
 namespace {
 
-FrameRange rangeOf(const Options& options, const Replay& replay) {
+FrameRange rangeOf(const RenderOptions& options, const Replay& replay) {
   FrameRange range;
   range.framesPerSecond = options.framesPerSecond;
-  range.from = tickInside(options, "--from", options.fromTick.value_or(1), replay);
-  range.to = options.toTick ? tickInside(options, "--to", options.toTick, replay) : replay.ticks();
+  range.from = tickInside(options.file, "--from", options.fromTick.value_or(1), replay);
+  range.to = options.toTick ? tickInside(options.file, "--to", options.toTick, replay) : replay.ticks();
   if (!isOnePicture(options.outPath)) return range;
   if (!options.toTick && options.fromTick) range.to = range.from;
   range.from = range.to;
@@ -38,7 +38,7 @@ FrameRange rangeOf(const Options& options, const Replay& replay) {
 // begins.
 class Filming {
  public:
-  Filming(const Options& options, const SimulationConfig& config, Run& run)
+  Filming(const RenderOptions& options, const SimulationConfig& config, Run& run)
       : config_(config),
         run_(run),
         maker_({int(options.width_px), int(options.height_px)}, findAssetFolder(options.assetsDir), run.simulation()),
@@ -86,10 +86,10 @@ class Filming {
 
 }  // namespace
 
-ExitCode renderReplay(const Options& options) {
+ExitCode runVerb(const RenderOptions& options) {
   catchInterrupts();
-  const std::string file = options.files.front().string();
-  const Replay replay = readWatched(options);
+  const std::string file = options.file.string();
+  const Replay replay = readWatched(options.file);
   SimulationConfig config = replayConfig(replay);
   setComputingOf(config, options, file);
   config.particles = true;

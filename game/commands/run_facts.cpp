@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "game/commands/hash_file.h"
 #include "game/ui/mode_choice.h"
+#include "host/platform/number_format.h"
 
 namespace gw {
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "game/commands/commands.h"
-#include "game/commands/hash_file.h"
+#include "game/cli/trim_options.h"
 #include "game/commands/progress.h"
 #include "game/replay/replay_reader.h"
 #include "game/replay/replay_writer.h"
@@ -17,23 +16,23 @@
 namespace gw {
 namespace {
 
-uint32_t ticksToRun(const Replay& replay, const Options& options) {
+uint32_t ticksToRun(const Replay& replay, const TrimOptions& options) {
   if (options.toTick <= replay.ticks()) return options.toTick == 0 ? replay.ticks() : options.toTick;
   throw UserError(ExitCode::badUsage, "'--to " + std::to_string(options.toTick) + "' is past the end of " +
-                                          options.files.front().string() + "; give a tick up to " +
+                                          options.file.string() + "; give a tick up to " +
                                           std::to_string(replay.ticks()) + ", or leave it out.");
 }
 
-[[noreturn]] void refuseDifference(const Options& options, uint32_t tick, uint64_t recorded, uint64_t computed) {
+[[noreturn]] void refuseDifference(const TrimOptions& options, uint32_t tick, uint64_t recorded, uint64_t computed) {
   const std::string shorter = tick == 1 ? "" : "trim it with '--to " + std::to_string(tick - 1) + "', or ";
-  throw UserError(ExitCode::desync, options.files.front().string() + " differs from tick " + std::to_string(tick) +
+  throw UserError(ExitCode::desync, options.file.string() + " differs from tick " + std::to_string(tick) +
                                         " on (recorded " + hexadecimal(recorded) + ", computed " +
                                         hexadecimal(computed) + "), and nothing was written; " + shorter +
                                         "use the build that recorded it.");
 }
 
 // The same run, made of what was computed. Ends where the game is over.
-Replay runAgain(const Replay& recorded, uint32_t ticks, Simulation& simulation, const Options& options) {
+Replay runAgain(const Replay& recorded, uint32_t ticks, Simulation& simulation, const TrimOptions& options) {
   Replay made;
   made.header = recorded.header;
   made.rules = recorded.rules;
@@ -67,9 +66,9 @@ Replay runAgain(const Replay& recorded, uint32_t ticks, Simulation& simulation, 
 
 }  // namespace
 
-ExitCode trimReplay(const Options& options) {
+ExitCode runVerb(const TrimOptions& options) {
   catchInterrupts();
-  const std::filesystem::path& file = options.files.front();
+  const std::filesystem::path& file = options.file;
   const Replay recorded = readReplay(file, SimulationVersions::current, Completeness::partial);
   const uint32_t ticks = ticksToRun(recorded, options);
   checkWritable(options.outPath);

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "game/commands/commands.h"
+#include "game/cli/verify_options.h"
 #include "game/commands/hash_file.h"
 #include "game/commands/json_output.h"
 #include "game/commands/progress.h"
@@ -29,8 +29,8 @@ ExitCode worst(const std::vector<Outcome>& outcomes) {
   return code;
 }
 
-// Outcomes are printed in the order the files were given, as soon as all before them are known.
-std::vector<Outcome> verifyAll(const Options& options, const DeviceChoice& device, bool quiet) {
+// Outcomes are printed in the order of the files, as soon as all before them are known.
+std::vector<Outcome> verifyAll(const VerifyOptions& options, const DeviceChoice& device, bool quiet) {
   const size_t count = options.files.size();
   std::vector<Outcome> outcomes(count);
   std::vector<bool> done(count, false);
@@ -74,7 +74,7 @@ void writeAsJson(const std::filesystem::path& path, const std::vector<Outcome>& 
 
 }  // namespace
 
-ExitCode verifyReplays(const Options& options) {
+ExitCode runVerb(const VerifyOptions& options) {
   catchInterrupts();
   const DeviceChoice device = chooseDevice(options.device);
   HashFile hashes(options.hashesPath);

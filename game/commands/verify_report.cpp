@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "game/commands/hash_file.h"
 #include "game/desync/desync_text.h"
 #include "host/platform/junit_xml.h"
 #include "host/platform/number_format.h"

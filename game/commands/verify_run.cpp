@@ -104,7 +104,7 @@ class Verification {
 
 // What the reference's command line says after the file: its own options, and none of this one's, which an older build
 // may not know.
-std::vector<std::string> referenceArguments(const std::filesystem::path& file, const Options& options) {
+std::vector<std::string> referenceArguments(const std::filesystem::path& file, const VerifyOptions& options) {
   std::vector<std::string> arguments{"probe", file.string()};
   for (size_t begin = 0; begin < options.referenceOptions.size();) {
     const size_t end = std::min(options.referenceOptions.find(' ', begin), options.referenceOptions.size());
@@ -115,7 +115,7 @@ std::vector<std::string> referenceArguments(const std::filesystem::path& file, c
 }
 
 void playBeside(Outcome& outcome, Verification& verification, const Replay& replay, const SimulationConfig& config,
-                const Options& options, const DeviceChoice& device, const std::filesystem::path& file) {
+                const VerifyOptions& options, const DeviceChoice& device, const std::filesystem::path& file) {
   LocalProbe own([&] { return makeSimulation(device, config); }, replay.inputs,
                  [&](const TickReport& report) { verification.hear(report); });
   std::unique_ptr<Probe> reference;
@@ -136,7 +136,7 @@ void playBeside(Outcome& outcome, Verification& verification, const Replay& repl
 
 }  // namespace
 
-Outcome verifyReplay(const std::filesystem::path& file, const Options& options, const DeviceChoice& device,
+Outcome verifyReplay(const std::filesystem::path& file, const VerifyOptions& options, const DeviceChoice& device,
                      const std::function<void()>& ticked) {
   setFloatState();  // of this job's thread
   Outcome outcome;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "game/cli/command_line.h"
+#include "game/cli/verify_options.h"
 #include "game/commands/run_facts.h"
 #include "game/desync/desync_finder.h"
 #include "game/session/device_choice.h"
@@ -42,7 +42,7 @@ struct Outcome {
 };
 
 // Never throws: what goes wrong is in the outcome. `ticked` is told of every tick, on this thread.
-Outcome verifyReplay(const std::filesystem::path& file, const Options& options, const DeviceChoice& device,
+Outcome verifyReplay(const std::filesystem::path& file, const VerifyOptions& options, const DeviceChoice& device,
                      const std::function<void()>& ticked);
 
 }  // namespace gw

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "game/cli/command_line.h"
+#include "game/cli/computing_options.h"
 
 namespace gw {
 

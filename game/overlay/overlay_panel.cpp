@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "game/cli/command_line.h"
+#include "game/cli/computing_options.h"
 
 namespace gw {
 

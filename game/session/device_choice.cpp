@@ -71,7 +71,7 @@ std::unique_ptr<Simulation> makeLastingSimulation(const DeviceChoice& device, co
       });
 }
 
-void setComputing(SimulationConfig& config, const Options& options) {
+void setComputing(SimulationConfig& config, const ComputingOptions& options) {
   config.gather = options.gather.value_or(Gather::exact);
   config.sort = options.sort;
   config.broadPhase = options.broadPhase;
@@ -82,7 +82,7 @@ void setComputing(SimulationConfig& config, const Options& options) {
   config.checkLaunches |= options.cudaCheck;
 }
 
-void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file) {
+void setComputingOf(SimulationConfig& config, const ComputingOptions& options, const std::string& file) {
   const bool exact = config.gather == Gather::exact;  // then the sort is no matter of the game's
   const auto refuse = [&](const std::string& asked) {
     const std::string sort = exact ? "" : std::string(" --sort ") + nameOf(config.sortInUse());
@@ -98,7 +98,7 @@ void setComputingOf(SimulationConfig& config, const Options& options, const std:
   if (otherSort) refuse(std::string("'--sort ") + nameOf(*options.sort) + "'");
   if (config.gather != Gather::exact && options.broadPhase != BroadPhase::ngrid)
     refuse(std::string("'--broad-phase ") + nameOf(options.broadPhase) + "'");
-  Options agreed = options;
+  ComputingOptions agreed = options;
   agreed.gather = config.gather;
   if (!exact) agreed.sort = config.sortInUse();
   setComputing(config, agreed);

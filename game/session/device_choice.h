@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "game/cli/command_line.h"
+#include "game/cli/computing_options.h"
 #include "game/sim/simulation.h"
 
 namespace gw {
@@ -29,17 +29,17 @@ void sayWhy(const DeviceChoice& device);
 // cuda fails at the start, says so on stderr and takes the cpu.
 std::unique_ptr<Simulation> makeSimulation(const DeviceChoice& device, const SimulationConfig& config);
 
-// The same for a game that is played: one that goes on with the cpu when its device fails, and says so on stderr.
+// The same for an interactive game: it goes on with the cpu when its device fails, and reports that on stderr.
 std::unique_ptr<Simulation> makeLastingSimulation(const DeviceChoice& device, const SimulationConfig& config);
 
 // The rules and options that a run is made of: what the command line says about how to compute it.
-void setComputing(SimulationConfig& config, const Options& options);
+void setComputing(SimulationConfig& config, const ComputingOptions& options);
 
 // The same for a run that was recorded in `file`: config holds what the file says. Throws UserError when the
 // command line asks for another game than the one in the file.
-void setComputingOf(SimulationConfig& config, const Options& options, const std::string& file);
+void setComputingOf(SimulationConfig& config, const ComputingOptions& options, const std::string& file);
 
-// How neighbours are found, when that changes the game: "adaptive gather, bitonic sort"; empty for an exact game. No
+// How neighbours are found, where it changes the game: "adaptive gather, bitonic sort"; empty for an exact game. No
 // sort: the usual one.
 std::string neighboursText(Gather gather, std::optional<Sort> sort);
 

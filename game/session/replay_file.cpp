@@ -9,8 +9,7 @@
 
 namespace gw {
 
-Replay readWatched(const Options& options) {
-  const std::filesystem::path& file = options.files.front();
+Replay readWatched(const std::filesystem::path& file) {
   Replay replay = readReplay(file, SimulationVersions::current, Completeness::partial);
   if (!replay.whole) {
     std::fprintf(stderr, "%s has no end: what there is of it is shown, %u ticks; 'gpuwars trim' makes it whole.\n",
@@ -19,11 +18,11 @@ Replay readWatched(const Options& options) {
   return replay;
 }
 
-uint32_t tickInside(const Options& options, const char* option, uint32_t tick, const Replay& replay) {
+uint32_t tickInside(const std::filesystem::path& file, const char* option, uint32_t tick, const Replay& replay) {
   if (tick <= replay.ticks()) return tick;
   throw UserError(ExitCode::badUsage,
                   fmt::format("'{} {}' is past the last tick of {}, which is {}; give a smaller one.", option, tick,
-                              options.files.front().string(), replay.ticks()));
+                              file.string(), replay.ticks()));
 }
 
 }  // namespace gw

@@ -1,15 +1,16 @@
-// The replay that is to be shown, and the ticks of it that the command line names.
+// The replay to watch or draw, and the ticks of it that the command line names.
 #pragma once
 
-#include "game/cli/command_line.h"
+#include <filesystem>
+
 #include "game/replay/replay.h"
 
 namespace gw {
 
 // What is whole of it; says on stderr when that is not all. Throws ReplayError.
-Replay readWatched(const Options& options);
+Replay readWatched(const std::filesystem::path& file);
 
-// The tick, when the replay has it. Throws UserError when it ends before.
-uint32_t tickInside(const Options& options, const char* option, uint32_t tick, const Replay& replay);
+// The tick that `option` names, when the replay of `file` has it. Throws UserError when it ends before.
+uint32_t tickInside(const std::filesystem::path& file, const char* option, uint32_t tick, const Replay& replay);
 
 }  // namespace gw

@@ -19,7 +19,7 @@ std::filesystem::path numbered(const std::filesystem::path& path, uint32_t numbe
   return result;
 }
 
-// Recordings that were cut short lie beside the target until the user decides.
+// Recordings that were cut short stay beside the target until the user decides.
 void sayWhatIsLeft(const std::filesystem::path& target) {
   const std::vector<std::filesystem::path> parts = partsLeftBeside(target);
   if (parts.empty()) return;
@@ -33,7 +33,7 @@ void sayWhatIsLeft(const std::filesystem::path& target) {
 
 }  // namespace
 
-RunFactory::RunFactory(const Options& options)
+RunFactory::RunFactory(const PlayOptions& options)
     : options_(options),
       assets_(findAssetFolder(options.assetsDir)),
       device_(chooseDevice(options.device)),
@@ -41,8 +41,8 @@ RunFactory::RunFactory(const Options& options)
   config_.rules = loadRules(texts_);
   config_.enemies = options.enemies;
   setComputing(config_, options);
-  config_.particles = !options.headless || !options.screenshotPath.empty();  // it is drawn
-  if (!options.recordPath.empty()) checkWritable(options.recordPath);        // before a run is played for it
+  config_.particles = !options.headless || !options.screenshotPath.empty();  // drawn
+  if (!options.recordPath.empty()) checkWritable(options.recordPath);        // before the game is played
 }
 
 std::unique_ptr<Run> RunFactory::make(Mode mode, uint64_t seed, Autopilot autopilot, bool recorded) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "game/cli/play_options.h"
 #include "game/session/device_choice.h"
 #include "game/session/run.h"
 #include "game/tables/tables.h"
@@ -13,7 +14,7 @@ namespace gw {
 class RunFactory {
  public:
   // Chooses the device and reads the rules. Throws UserError and TableError.
-  explicit RunFactory(const Options& options);
+  explicit RunFactory(const PlayOptions& options);
 
   // A new run. `recorded`: with the recording that --record asks for; the second recorded run of a session
   // goes to FILE-2.gwr and so on, so that "again" never costs a recording.
@@ -29,7 +30,7 @@ class RunFactory {
   const std::filesystem::path& recordPath() const { return recordPath_; }
 
  private:
-  Options options_;
+  PlayOptions options_;
   std::filesystem::path assets_;
   DeviceChoice device_;
   RuleTexts texts_;
@@ -38,7 +39,7 @@ class RunFactory {
   uint32_t recordings_ = 0;
 };
 
-// A seed by chance.
+// A random seed.
 uint64_t randomSeed();
 
 }  // namespace gw

@@ -22,6 +22,10 @@ std::string twoDecimals(double number) {
   return fmt::format("{:.2f}", number);
 }
 
+std::string hexadecimal(uint64_t number) {
+  return fmt::format("{:016x}", number);
+}
+
 std::string upperCase(std::string text) {
   for (char& character : text) {
     if (character >= 'a' && character <= 'z') character = char(character - 'a' + 'A');

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "game/cli/command_line.h"
-#include "game/commands/commands.h"
 
 namespace {
 
@@ -125,8 +124,7 @@ int main(int argc, char** argv) {
     }
   }).detach();
   try {
-    const bool replay = parsed.options.verb == gw::Verb::replay;
-    const auto code = int(replay ? gw::watchReplay(parsed.options) : gw::playWindow(parsed.options));
+    const auto code = int(std::visit([](const auto& options) { return gw::runVerb(options); }, parsed.options));
     std::fflush(stdout);
     std::_Exit(code);  // the thread may wait for stdin for ever
   } catch (const std::exception& error) {

@@ -123,7 +123,7 @@ def main():
             script(folder / "fails", "echo '{\"gpuwarsProbe\":1,\"name\":\"x\"}'; while read line; do echo '{\"error\":\"no\"}'; done\n"),
             says=["failed: no"])
     refused("both kinds of another side", USAGE, good, "--reference", program, "--against", "cpu", says=["leave out one"])
-    refused("options of no reference", USAGE, good, "--reference-options", "--threads 1", says=["name one"])
+    refused("options of no reference", USAGE, good, "--reference-options", "--threads 1", says=["add it"])
     refused("heavy beside another side", USAGE, good, "--heavy", "--against", "cpu", says=["leave out one"])
     refused("JUnit over JSON", USAGE, good, "--junit", out, "--json", out, says=["give each its own"])
     for option in ("--junit", "--json"):

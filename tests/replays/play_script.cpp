@@ -4,12 +4,13 @@
 #include <exception>
 #include <string>
 
+#include "game/cli/command_line.h"
 #include "game/session/run_factory.h"
 #include "tests/replays/script.h"
 
 namespace {
 
-int play(const gw::Script& script, const gw::Options& options) {
+int play(const gw::Script& script, const gw::PlayOptions& options) {
   gw::RunFactory factory(options);
   const std::unique_ptr<gw::Run> run = factory.make(options.mode, options.seed.value_or(1), options.autopilot, true);
   while (!run->over() && run->last().tick < options.ticks) run->tick(script(run->last()));
@@ -33,16 +34,17 @@ int main(int argc, char** argv) {
     return 2;
   }
   gw::ParsedCommandLine parsed = gw::parseCommandLine({argv + 2, argv + argc});
-  if (!parsed.run || !parsed.options.headless || parsed.options.recordPath.empty() ||
-      parsed.options.autopilot != gw::Autopilot::none) {
+  auto* options = std::get_if<gw::PlayOptions>(&parsed.options);
+  if (!parsed.run || options == nullptr || !options->headless || options->recordPath.empty() ||
+      options->autopilot != gw::Autopilot::none) {
     std::fprintf(stderr, "%s\n",
                  parsed.error.empty() ? "A script needs --headless, --ticks and --record, and no --autopilot."
                                       : parsed.error.c_str());
     return 2;
   }
-  parsed.options.text = "script " + found->first + " " + parsed.options.text;
+  options->text = "script " + found->first + " " + options->text;
   try {
-    return play(found->second(), parsed.options);
+    return play(found->second(), *options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

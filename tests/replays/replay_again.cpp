@@ -5,12 +5,13 @@
 #include <cstdio>
 #include <exception>
 
+#include "game/cli/command_line.h"
 #include "game/replay/replay_reader.h"
 #include "game/session/run_factory.h"
 
 namespace {
 
-void playAgain(const gw::Replay& old, gw::Options options) {
+void playAgain(const gw::Replay& old, gw::PlayOptions options) {
   const gw::ReplayHeader& header = old.header;
   options.mode = header.mode;
   options.seed = header.seed;
@@ -42,7 +43,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    playAgain(gw::readReplay(argv[1], gw::SimulationVersions::any), parsed.options);
+    playAgain(gw::readReplay(argv[1], gw::SimulationVersions::any), std::get<gw::PlayOptions>(parsed.options));
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -1,4 +1,4 @@
-#include "game/cli/man_page.h"
+#include "host/cli/man_page.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,11 @@
 namespace gw {
 namespace {
 
-std::string head(const std::string& name, const PageHead& page) {
+std::string head(const ProgramText& program, const std::string& name, const PageHead& page) {
   std::string title = name;
   std::transform(title.begin(), title.end(), title.begin(), [](char c) { return char(std::toupper(uint8_t(c))); });
-  return fmt::format(".TH {} 6 \"{}\" \"gpuwars {}\" Games\n", roffText(title), page.date, page.version);
+  return fmt::format(".TH {} 6 \"{}\" \"{} {}\" Games\n", roffText(title), page.date, roffText(program.name),
+                     page.version);
 }
 
 // "Watch a replay." as the line that apropos shows: without capital and full stop.
@@ -63,8 +64,8 @@ std::string entries(const std::vector<OptionText>& options, std::string_view gro
   return text;
 }
 
-std::string synopsis(const VerbText& verb) {
-  std::string text = fmt::format(".B gpuwars {}\n[\\fIoptions\\fR]", roffText(verb.name));
+std::string synopsis(const ProgramText& program, const VerbText& verb) {
+  std::string text = fmt::format(".B {} {}\n[\\fIoptions\\fR]", roffText(program.name), roffText(verb.name));
   for (const OptionText& option : verb.options) {
     if (option.value != OptionText::Value::files) continue;
     const bool any = option.most > 2;
@@ -74,10 +75,17 @@ std::string synopsis(const VerbText& verb) {
   return text + "\n";
 }
 
-std::string exitStatus() {
-  std::string text = ".SH EXIT STATUS\n";
-  for (const ExitText& exit : kExitTexts) text += fmt::format(".TP\n.B {}\n{}\n", exit.code, roffText(exit.meaning));
+// One paragraph each, the name in `style`.
+std::string definitions(const std::vector<NamedText>& texts, const char* style) {
+  std::string text;
+  for (const NamedText& each : texts) {
+    text += fmt::format(".TP\n{} {}\n{}\n", style, roffText(each.name), roffText(each.text));
+  }
   return text;
+}
+
+std::string exitStatus(const ProgramText& program) {
+  return ".SH EXIT STATUS\n" + definitions(program.exitCodes, ".B");
 }
 
 }  // namespace
@@ -109,54 +117,44 @@ std::string roffText(std::string_view text) {
   return escaped;
 }
 
-std::string mainPage(const std::vector<VerbText>& verbs, const PageHead& page) {
-  std::string text = head("gpuwars", page);
-  text +=
-      ".SH NAME\ngpuwars \\- twin\\-stick shooter whose whole simulation runs as GPU kernels\n"
-      ".SH SYNOPSIS\n.B gpuwars\n[\\fIverb\\fR] [\\fIoptions\\fR]\n"
-      ".SH DESCRIPTION\n"
-      "You are a GPUship inside the computer universe and process (shoot) what a GPU processes: thousands of enemies,\n"
-      "each of which thinks, moves and collides sixty times a second.\n"
-      "Without an NVIDIA GPU the same kernels run on the processor, with the same results, bit for bit.\n"
-      ".PP\n"
-      "Games can be recorded; a replay can be watched, made into a film, and verified tick by tick.\n"
-      "Options mean the same under every verb; each verb has a page of its own.\n"
-      ".SH VERBS\n";
+std::string mainPage(const ProgramText& program, const std::vector<VerbText>& verbs, const PageHead& page) {
+  const std::string name = roffText(program.name);
+  std::string text = head(program, program.name, page);
+  text += fmt::format(".SH NAME\n{} \\- {}\n", name, roffText(program.summary));
+  text += fmt::format(".SH SYNOPSIS\n.B {}\n[\\fIverb\\fR] [\\fIoptions\\fR]\n.SH DESCRIPTION\n", name);
+  for (const std::string& paragraph : program.paragraphs) {
+    text += (&paragraph == &program.paragraphs.front() ? "" : ".PP\n") + roffText(paragraph) + "\n";
+  }
+  text += ".SH VERBS\n";
   for (const VerbText& verb : verbs) {
     text += fmt::format(".TP\n{}\n{}\n", bold(verb.name), roffText(verb.summary));
   }
-  text += ".SH OPTIONS\n" + entries(kHelpOptions, "Options");
-  text +=
-      ".SH FILES\n.TP\n.I \\(ti/.config/gpuwars/settings.toml\n"
-      "The settings, written by the settings screen; " +
-      bold("--settings") +
-      " names another file.\n"
-      ".SH ENVIRONMENT\n.TP\n.B XDG_CONFIG_HOME\nThe folder of settings in place of " +
-      italic("~/.config") +
-      ".\n"
-      ".TP\n.B CUDA_VISIBLE_DEVICES\nHides NVIDIA GPUs from CUDA programs.\n";
-  text += exitStatus() + ".SH SEE ALSO\n";
+  text += ".SH OPTIONS\n" + entries(kHelpOptions, kOptionsGroup);
+  text += ".SH FILES\n" + definitions(program.files, ".I");
+  text += ".SH ENVIRONMENT\n" + definitions(program.environment, ".B");
+  text += exitStatus(program) + ".SH SEE ALSO\n";
   for (const VerbText& verb : verbs) {
-    text += fmt::format(".BR gpuwars\\-{} (6){}\n", roffText(verb.name), &verb == &verbs.back() ? "" : ",");
+    text += fmt::format(".BR {}\\-{} (6){}\n", name, roffText(verb.name), &verb == &verbs.back() ? "" : ",");
   }
   return text;
 }
 
-std::string verbPage(const VerbText& verb, const PageHead& page) {
-  const std::string name = "gpuwars-" + verb.name;
-  std::string text = head(name, page);
+std::string verbPage(const ProgramText& program, const VerbText& verb, const PageHead& page) {
+  const std::string name = program.name + "-" + verb.name;
+  std::string text = head(program, name, page);
   text += fmt::format(".SH NAME\n{} \\- {}\n", roffText(name), roffText(asClause(verb.summary)));
-  text += ".SH SYNOPSIS\n" + synopsis(verb);
+  text += ".SH SYNOPSIS\n" + synopsis(program, verb);
   text += fmt::format(".SH DESCRIPTION\n{}\n.SH OPTIONS\n", roffText(verb.summary));
-  text += entries(verb.options, "Files") + entries(verb.options, "Options") + entries(kHelpOptions, "Options");
+  text +=
+      entries(verb.options, kFilesGroup) + entries(verb.options, kOptionsGroup) + entries(kHelpOptions, kOptionsGroup);
   // Groups of their own, each once.
-  std::vector<std::string> seen{"Files", "Options"};
+  std::vector<std::string> seen{kFilesGroup, kOptionsGroup};
   for (const OptionText& option : verb.options) {
     if (std::find(seen.begin(), seen.end(), option.group) != seen.end()) continue;
     seen.push_back(option.group);
     text += fmt::format(".SS {}\n", roffText(option.group)) + entries(verb.options, option.group);
   }
-  return text + exitStatus() + ".SH SEE ALSO\n.BR gpuwars (6)\n";
+  return text + exitStatus(program) + fmt::format(".SH SEE ALSO\n.BR {} (6)\n", roffText(program.name));
 }
 
 }  // namespace gw

@@ -1,4 +1,4 @@
-#include "game/cli/bash_completion.h"
+#include "host/cli/bash_completion.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,9 @@
 namespace gw {
 namespace {
 
-constexpr const char* kHead = R"(# Completion of gpuwars in bash; written by its build from the table of its options.
-_gpuwars() {
+// @ stands for the name of the program, FILES for the pattern of its files.
+constexpr const char* kHead = R"(# Completion of @ in bash; written by its build from the table of its options.
+_@() {
   local current="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD-1]}" verb="${COMP_WORDS[1]:-}"
   local options="" words="" files=""
   # bash splits --option=value in three.
@@ -26,13 +27,20 @@ constexpr const char* kTail = R"(  if [[ -n "$words" ]]; then
     case "$files" in
       any) mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
       folder) mapfile -t COMPREPLY < <(compgen -d -- "$current") ;;
-      replay) mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -X '!*.gwr' -- "$current") ;;
+      input) mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -X '!FILES' -- "$current") ;;
       none) COMPREPLY=() ;;
     esac
   fi
 }
-complete -F _gpuwars gpuwars
+complete -F _@ @
 )";
+
+std::string replaced(std::string text, std::string_view old, std::string_view by) {
+  for (size_t at = text.find(old); at != text.npos; at = text.find(old, at + by.size())) {
+    text.replace(at, old.size(), by);
+  }
+  return text;
+}
 
 std::string spaced(std::string words) {
   std::replace(words.begin(), words.end(), '|', ' ');
@@ -79,25 +87,24 @@ std::string verbCase(const VerbText& verb) {
   options.pop_back();
   return fmt::format(
       "    {})\n      options=\"{}\"\n      case \"$before\" in\n{}        *) {} ;;\n      esac\n      ;;\n", verb.name,
-      options, values, takesFiles ? "files=replay" : "words=\"$options\"");
+      options, values, takesFiles ? "files=input" : "words=\"$options\"");
 }
 
 }  // namespace
 
-std::string bashCompletion(const std::vector<VerbText>& verbs) {
+std::string bashCompletion(const ProgramText& program, const std::vector<VerbText>& verbs) {
   std::string names, cases;
   for (const VerbText& verb : verbs) {
     names += (names.empty() ? "" : " ") + verb.name;
     cases += verbCase(verb);
   }
-  std::string text = kHead;
-  // Without a verb it is play.
+  std::string text = replaced(kHead, "@", program.name);
   text +=
       fmt::format("  case \" {} \" in\n    *\" $verb \"*) ;;\n    *) verb={} ;;\n  esac\n", names, verbs.front().name);
   text += "  case \"$verb\" in\n" + cases + "  esac\n";
   text += "  if [[ \"$current\" == -* ]]; then\n    words=\"$options\"\n";
   text += fmt::format("  elif ((COMP_CWORD == 1)); then\n    words=\"{} $options\"\n  fi\n", names);
-  return text + kTail;
+  return text + replaced(replaced(kTail, "@", program.name), "FILES", program.filePattern);
 }
 
 }  // namespace gw

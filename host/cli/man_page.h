@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "game/cli/command_line_text.h"
+#include "host/cli/command_text.h"
 
 namespace gw {
 
@@ -18,9 +18,9 @@ struct PageHead {
 // Text as roff shows it unchanged, wherever it stands in a line.
 std::string roffText(std::string_view text);
 
-// gpuwars(6): what it is, the verbs, files, environment and exit codes.
-std::string mainPage(const std::vector<VerbText>& verbs, const PageHead& head);
-// gpuwars-VERB(6).
-std::string verbPage(const VerbText& verb, const PageHead& head);
+// The page of the program: what it is, the verbs, files, environment and exit codes.
+std::string mainPage(const ProgramText& program, const std::vector<VerbText>& verbs, const PageHead& head);
+// The page of one verb: gpuwars-diff(6).
+std::string verbPage(const ProgramText& program, const VerbText& verb, const PageHead& head);
 
 }  // namespace gw

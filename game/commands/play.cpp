@@ -1,9 +1,10 @@
-// gpuwars play --headless: ticks as fast as they come, and a summary.
+// gpuwars play: in a window, or headless: ticks as fast as possible, and a summary.
 #include <cstdio>
 
-#include "game/commands/commands.h"
+#include "game/cli/play_options.h"
 #include "game/commands/hash_file.h"
 #include "game/commands/progress.h"
+#include "game/commands/window.h"
 #include "game/session/run_factory.h"
 #include "game/ui/hud.h"
 #include "game/ui/mode_choice.h"
@@ -31,7 +32,7 @@ struct Measured {
 
 // Ticks until the end, the limit or Ctrl-C. The queue is kept full between samples, so that a device
 // which can run ahead does.
-Measured runTicks(Run& run, const Options& options, HashFile& hashes) {
+Measured runTicks(Run& run, const PlayOptions& options, HashFile& hashes) {
   Measured measured;
   Progress progress("tick", options.ticks);
   uint32_t queued = 0;
@@ -72,7 +73,7 @@ std::string endingText(const TickReport& report, const Rules& rules) {
   return "not over";
 }
 
-void printSummary(Run& run, const RunFactory& factory, const Options& options, uint64_t seed,
+void printSummary(Run& run, const RunFactory& factory, const PlayOptions& options, uint64_t seed,
                   const Measured& measured) {
   const TickReport& report = run.last();
   const Rules& rules = factory.rules();
@@ -110,7 +111,7 @@ void printSummary(Run& run, const RunFactory& factory, const Options& options, u
   if (run.recorded()) line("recorded", factory.recordPath().string());
 }
 
-void takePicture(Run& run, const RunFactory& factory, const Options& options) {
+void takePicture(Run& run, const RunFactory& factory, const PlayOptions& options) {
   OffscreenRenderer maker({int(options.width_px), int(options.height_px)}, factory.assets(), run.simulation());
   FollowCamera camera(run.simulation().worldWidth_m(), run.simulation().worldHeight_m());
   camera.snap(cameraTarget(run.last(), 1), maker.aspect());
@@ -124,9 +125,7 @@ void takePicture(Run& run, const RunFactory& factory, const Options& options) {
   writePicture(options.screenshotPath, image);
 }
 
-}  // namespace
-
-ExitCode playHeadless(const Options& options) {
+ExitCode playHeadless(const PlayOptions& options) {
   catchInterrupts();
   const uint64_t seed = options.seed.value_or(1);
   RunFactory factory(options);
@@ -142,6 +141,12 @@ ExitCode playHeadless(const Options& options) {
   run.reset();  // waits for the device, so that all its kernels are counted
   if (!quiet && factory.device().cuda) std::printf("%s CUDA kernels run\n", withCommas(cudaKernelsRun).c_str());
   return ExitCode::fine;
+}
+
+}  // namespace
+
+ExitCode runVerb(const PlayOptions& options) {
+  return options.headless ? playHeadless(options) : playWindow(options);
 }
 
 }  // namespace gw
