@@ -11,7 +11,7 @@ struct JunitCase {
   std::string className, name;
   double seconds = 0;
   Result result = Result::passed;
-  std::string message, text;  // of a failure or an error: its first line, and all of it
+  std::string message = {}, text = {};  // of a failure or an error: its first line, and all of it
 };
 
 std::string junitXml(const std::string& suite, const std::vector<JunitCase>& cases);

@@ -66,8 +66,6 @@ class Folders : public testing::Test {
       work();
     } catch (const UserError& error) {
       return error.what();
-    } catch (const FileError& error) {
-      return error.what();
     }
     return "";
   }
