@@ -76,7 +76,7 @@ std::string speedUps(const Report& report, std::span<const Plot> plots) {
   return html;
 }
 
-std::string growth(const Report& report, std::span<const Plot> plots) {
+std::string growthSection(const Report& report, std::span<const Plot> plots) {
   return figures(plots, {}, "tick_over_live") + (report.growth.empty() ? "" : growthTable(report));
 }
 
@@ -91,7 +91,7 @@ std::string reportHtml(const Report& report, std::span<const Plot> plots) {
                                    {"machine", machineTable(report.machine)},
                                    {"setup", setupTable(report)},
                                    {"speed-ups", speedUps(report, plots)},
-                                   {"growth", growth(report, plots)},
+                                   {"growth", growthSection(report, plots)},
                                    {"cases", cases(report, plots)},
                                    {"definitions", definitionList()}});
 }

@@ -9,14 +9,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
+Json numberJson(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 template <class Numbers>
 Json numbers(const Numbers& values) {
   Json json = Json::array();
-  for (const auto value : values) json.push_back(number(value));
+  for (const auto value : values) json.push_back(numberJson(value));
   return json;
 }
 
@@ -28,7 +28,7 @@ Json list(const Items& items, const Write& write) {
 }
 
 Json estimate(const Estimate& of) {
-  return {{"value", number(of.value)}, {"low", number(of.low)}, {"high", number(of.high)}};
+  return {{"value", numberJson(of.value)}, {"low", numberJson(of.low)}, {"high", numberJson(of.high)}};
 }
 
 const char* nameOf(Better better) {
@@ -53,8 +53,12 @@ Json table() {
 }
 
 Json processors(const ProcessorState& of) {
-  return {{"allowed", of.allowed},   {"quota", number(of.quota)}, {"throttled_s", number(of.throttled_s)},
-          {"governor", of.governor}, {"turbo", of.turbo},         {"clockRange", of.clockRange}};
+  return {{"allowed", of.allowed},
+          {"quota", numberJson(of.quota)},
+          {"throttled_s", numberJson(of.throttled_s)},
+          {"governor", of.governor},
+          {"turbo", of.turbo},
+          {"clockRange", of.clockRange}};
 }
 
 Json machine(const Machine& of) {
@@ -67,11 +71,11 @@ Json machine(const Machine& of) {
             {"flags", of.flags},
             {"commit", of.commit},
             {"system", of.system},
-            {"loadBefore", number(of.loadBefore)},
-            {"loadAfter", number(of.loadAfter)},
-            {"gpuClock_MHz", number(of.gpuClock_MHz)},
-            {"gpuPower_W", number(of.gpuPower_W)},
-            {"gpuTemperature_C", number(of.gpuTemperature_C)}};
+            {"loadBefore", numberJson(of.loadBefore)},
+            {"loadAfter", numberJson(of.loadAfter)},
+            {"gpuClock_MHz", numberJson(of.gpuClock_MHz)},
+            {"gpuPower_W", numberJson(of.gpuPower_W)},
+            {"gpuTemperature_C", numberJson(of.gpuTemperature_C)}};
   if (of.processors) json["processors"] = processors(*of.processors);
   return json;
 }
@@ -86,18 +90,18 @@ Json setup(const Setup& of) {
 
 Json metricsOfRun(const MetricValues& run) {
   Json json = Json::object();
-  for (const auto& [name, value] : run) json[name] = number(value);
+  for (const auto& [name, value] : run) json[name] = numberJson(value);
   return json;
 }
 
-Json second(const Second& of) {
-  return {{"time_s", number(of.time_s)},
+Json secondJson(const Second& of) {
+  return {{"time_s", numberJson(of.time_s)},
           {"fps", estimate(of.fps)},
-          {"live", number(of.live)},
+          {"live", numberJson(of.live)},
           {"stages_ms", numbers(of.stages_ms)}};
 }
 
-Json contender(const Contender& of) {
+Json contenderJson(const Contender& of) {
   Json overall = Json::object();
   for (const auto& [name, value] : of.overall) overall[name] = estimate(value);
   return {{"name", of.name},
@@ -108,24 +112,25 @@ Json contender(const Contender& of) {
           {"overall", std::move(overall)},
           {"stages", of.stages},
           {"stages_ms", numbers(of.stages_ms)},
-          {"seconds", list(of.seconds, second)},
-          {"histogram",
-           list(of.histogram,
-                [](const Bin& bin) {
-                  return Json{{"from_ms", number(bin.from_ms)}, {"to_ms", number(bin.to_ms)}, {"frames", bin.frames}};
-                })},
+          {"seconds", list(of.seconds, secondJson)},
+          {"histogram", list(of.histogram,
+                             [](const Bin& bin) {
+                               return Json{{"from_ms", numberJson(bin.from_ms)},
+                                           {"to_ms", numberJson(bin.to_ms)},
+                                           {"frames", bin.frames}};
+                             })},
           {"percentiles", list(of.percentiles,
                                [](const CurvePoint& point) {
-                                 return Json{{"percent", number(point.x)}, {"frame_ms", number(point.y)}};
+                                 return Json{{"percent", numberJson(point.x)}, {"frame_ms", numberJson(point.y)}};
                                })},
           {"tickOverLive", list(of.tickOverLive, [](const CurvePoint& point) {
-             return Json{{"live", number(point.x)}, {"tick_ms", number(point.y)}};
+             return Json{{"live", numberJson(point.x)}, {"tick_ms", numberJson(point.y)}};
            })}};
 }
 
-Json oneCase(const Case& of) {
+Json caseJson(const Case& of) {
   return {{"enemies", of.enemies},
-          {"contenders", list(of.contenders, contender)},
+          {"contenders", list(of.contenders, contenderJson)},
           {"speedUps", list(of.speedUps, [](const SpeedUp& speedUp) {
              return Json{{"contender", speedUp.contender},
                          {"upkeepAndGathering", estimate(speedUp.upkeepAndGathering)},
@@ -134,10 +139,12 @@ Json oneCase(const Case& of) {
            })}};
 }
 
-Json growth(const Growth& of) {
+Json growthJson(const Growth& of) {
   Json fit;
   if (of.fit) {
-    fit = {{"factor_ms", number(of.fit->factor)}, {"exponent", number(of.fit->exponent)}, {"r2", number(of.fit->r2)}};
+    fit = {{"factor_ms", numberJson(of.fit->factor)},
+           {"exponent", numberJson(of.fit->exponent)},
+           {"r2", numberJson(of.fit->r2)}};
   }
   return {{"contender", of.contender}, {"fit", std::move(fit)}, {"why", of.why}};
 }
@@ -149,9 +156,9 @@ std::string reportJson(const Report& report) {
                      {"machine", machine(report.machine)},
                      {"setup", setup(report.setup)},
                      {"metrics", table()},
-                     {"cases", list(report.cases, oneCase)},
-                     {"growth", list(report.growth, growth)},
-                     {"stageTimersCost", number(report.stageTimersCost)},
+                     {"cases", list(report.cases, caseJson)},
+                     {"growth", list(report.growth, growthJson)},
+                     {"stageTimersCost", numberJson(report.stageTimersCost)},
                      {"warnings", report.warnings}};
   // Names of files may hold any bytes; JSON may not.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
