@@ -56,7 +56,7 @@ function(gw_add_kernels name)
     add_library(${name}_cuda STATIC ${sources})
     if(GW_CUDA_STAND_IN)
       target_compile_definitions(${name}_cuda PRIVATE GW_STAND_IN_KERNELS=1)
-      target_link_libraries(${name}_cuda PRIVATE CUDA::cudart_static)
+      target_link_libraries(${name}_cuda PRIVATE ${GW_CUDART})
       target_compile_options(${name}_cuda PRIVATE -include cuda_runtime.h) # as nvcc does by itself
     endif()
     # CMake 3.25 does not know CUDA20; what a folder sets when it ends is what its targets go by.
@@ -70,6 +70,9 @@ function(gw_add_kernels name)
     endif()
     set_target_properties(${name}_cuda PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF
       CUDA_RUNTIME_LIBRARY Static)
+    if(GW_PTX_MACHINE)
+      gw_for_ptx_machine(${name}_cuda)
+    endif()
     target_compile_definitions(${name}_cuda PRIVATE GW_DEVICE=cuda)
     target_link_libraries(${name}_cuda PUBLIC ${common} ${A_LINK})
     target_link_libraries(${name} INTERFACE ${name}_cuda)
