@@ -12,6 +12,14 @@ function(gw_write_stubs stubs folder) # a.cu ...
   set(${stubs} ${written} PARENT_SCOPE)
 endfunction()
 
+# CMake 3.25 does not know CUDA20; what a folder sets when it ends is what its targets go by.
+function(gw_know_cuda20)
+  if(NOT DEFINED CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
+    cmake_language(DEFER CALL set CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+    cmake_language(DEFER CALL set CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
+  endif()
+endfunction()
+
 # gw_add_kernels(name a.cu b.cu ... [LINK libraries])
 #
 # Compiles each .cu twice: as C++ into <name>_cpu (namespace gw::cpu) and, when CUDA is on, as CUDA into
@@ -59,11 +67,7 @@ function(gw_add_kernels name)
       target_link_libraries(${name}_cuda PRIVATE ${GW_CUDART})
       target_compile_options(${name}_cuda PRIVATE -include cuda_runtime.h) # as nvcc does by itself
     endif()
-    # CMake 3.25 does not know CUDA20; what a folder sets when it ends is what its targets go by.
-    if(NOT DEFINED CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
-      cmake_language(DEFER CALL set CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
-      cmake_language(DEFER CALL set CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
-    endif()
+    gw_know_cuda20()
     if(GW_CUDA_NEEDS_MATH AND NOT GW_CUDA_STAND_IN)
       target_compile_options(${name}_cuda PRIVATE
         "SHELL:-Xcompiler -include -Xcompiler ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/cuda_math.h")

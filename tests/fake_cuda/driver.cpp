@@ -92,9 +92,10 @@ void restart(const Options& options) {
   for (CUstream_st* stream : d.streams) delete stream;
   for (CUevent_st* event : d.events) delete event;
   restartDevice();
-  d = Driver{};
+  Driver fresh;
+  fresh.options = options;
+  d = std::move(fresh);
   capturing = 0;
-  d.options = options;
 }
 
 cudaError_t failed(cudaError_t error) {

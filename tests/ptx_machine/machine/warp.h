@@ -101,6 +101,7 @@ struct Launch {
   Size3 grid, block;
   uint32_t dynamicShared_bytes = 0;
   std::vector<uint8_t> parameters;  // as the kernel's parameter block
+  uint64_t moduleGlobals = 0;       // where the module's variables begin: their offset_bytes count from here
   Memory* memory = nullptr;
   Counts* counts = nullptr;         // null: not counted
   Options options;
