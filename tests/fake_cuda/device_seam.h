@@ -27,6 +27,9 @@ void* allocateDevice(size_t bytes);
 bool releaseDevice(void* pointer);  // false: it does not begin an allocation of the device
 // Whether all these bytes lie in one allocation of the device.
 bool isDevice(const void* pointer, size_t bytes);
+// Pinned memory of the host, which kernels may use too.
+void pinnedAllocated(void* pointer, size_t bytes);
+void pinnedReleased(void* pointer);
 // The host, or a copy, has written them; or they are garbage again.
 void deviceWritten(void* pointer, size_t bytes);
 void deviceForgotten(void* pointer, size_t bytes);

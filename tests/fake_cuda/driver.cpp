@@ -166,6 +166,7 @@ void* allocateGuarded(size_t bytes, bool pinned) {
   char* begin = static_cast<char*>(mapped) + (room - (bytes + 15) / 16 * 16);
   std::memset(begin, kNeverWritten, bytes);
   driver().blocks[uintptr_t(begin)] = {mapped, mapped_bytes, bytes, pinned};
+  if (pinned) pinnedAllocated(begin, bytes);
   return begin;
 }
 
@@ -173,6 +174,7 @@ bool releaseGuarded(void* pointer, bool pinned) {
   auto& blocks = driver().blocks;
   const auto found = blocks.find(uintptr_t(pointer));
   if (found == blocks.end() || found->second.pinned != pinned) return false;
+  if (pinned) pinnedReleased(pointer);
   munmap(found->second.mapped, found->second.mapped_bytes);
   blocks.erase(found);
   return true;

@@ -12,7 +12,7 @@ namespace {
 constexpr int kVersion = CUDART_VERSION;
 constexpr size_t kShared_bytes = 48 * 1024, kSharedOptIn_bytes = 227 * 1024;
 
-// What is said to be on the device is, whole.
+// What the direction names as device memory is device memory, all of it.
 bool mayCopy(const void* to, const void* from, size_t bytes, cudaMemcpyKind kind) {
   const bool ontoDevice = kind == cudaMemcpyHostToDevice || kind == cudaMemcpyDeviceToDevice;
   const bool offDevice = kind == cudaMemcpyDeviceToHost || kind == cudaMemcpyDeviceToDevice;

@@ -33,6 +33,8 @@ bool isDevice(const void* pointer, size_t bytes) {
   const Block* block = guardedBlock(pointer);
   return block && !block->pinned && guardedBlock(static_cast<const char*>(pointer) + bytes - 1) == block;
 }
+void pinnedAllocated(void*, size_t) {}  // threads of a block may use all memory
+void pinnedReleased(void*) {}
 void deviceWritten(void*, size_t) {}
 void deviceForgotten(void* pointer, size_t bytes) {
   std::memset(pointer, kNeverWritten, bytes);

@@ -45,7 +45,7 @@ class Memory {
   void unregisterForeign(void* pointer);
   // Copies and memsets of the host count as writes, ordered before all later launches.
   void hostWrote(void* pointer, size_t bytes);
-  // They are as never written again: a buffer that OpenGL hands over to be written anew.
+  // They are as never written again: a buffer that OpenGL hands over to be rewritten.
   void hostForgot(void* pointer, size_t bytes);
   bool owns(const void* pointer) const;
 

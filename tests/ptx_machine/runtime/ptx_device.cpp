@@ -94,6 +94,14 @@ bool isDevice(const void* pointer, size_t bytes) {
   return uintptr_t(pointer) + bytes <= after->first + after->second;
 }
 
+void pinnedAllocated(void* pointer, size_t bytes) {
+  device().memory->registerForeign(pointer, bytes, ptx::nameAllocation(bytes) + ", pinned");
+}
+
+void pinnedReleased(void* pointer) {
+  device().memory->unregisterForeign(pointer);
+}
+
 void deviceWritten(void* pointer, size_t bytes) {
   device().memory->hostWrote(pointer, bytes);
 }

@@ -119,6 +119,17 @@ TEST_F(Runtime, GridsHaveThreeDimensions) {
   }
 }
 
+TEST_F(Runtime, AKernelWritesPinnedMemory) {
+  uint32_t* h_out = nullptr;
+  ASSERT_EQ(cudaMallocHost(reinterpret_cast<void**>(&h_out), 4 * sizeof(uint32_t)), cudaSuccess);
+  ASSERT_EQ(launchSums(h_out, 4, 32, 32 * sizeof(uint32_t), stream), cudaSuccess);
+  ASSERT_EQ(cudaStreamSynchronize(stream), cudaSuccess);
+  EXPECT_EQ(std::vector<uint32_t>(h_out, h_out + 4), std::vector<uint32_t>(4, 496));
+  EXPECT_TRUE(foundFaults().empty());
+  EXPECT_EQ(cudaFree(h_out), cudaErrorInvalidValue) << "it is not the device's";
+  EXPECT_EQ(cudaFreeHost(h_out), cudaSuccess);
+}
+
 TEST_F(Runtime, VariablesOfAModuleKeepTheirValues) {
   uint32_t* d_out = allocated<uint32_t>(1);
   for (uint32_t expected = 41; expected < 44; ++expected) {
