@@ -40,8 +40,9 @@ def parity_steps(shards):
                        ("--items", "4096", "--block", "128", "--gtest_filter=Cases/*:KernelCount.*"),
                        shards=(shards, s), cost=5) for s in range(shards)]
     # A game for each broad phase, either mode, and a snapshot carried over.
-    games = Step("games of 256 enemies", "parity_test", ("--enemies", "256", "--ticks", "30", "--block", "128",
-                                                         "--gtest_filter=*GameParity*:SnapshotParity.*"), cost=9)
+    games = Step("games of 256 enemies", "parity_test",
+                 ("--enemies", "256", "--ticks", "30", "--first-tick", "300", "--block", "128",
+                  "--gtest_filter=*GameParity*:SnapshotParity.*"), cost=9)
     return [games, *primitives]
 
 

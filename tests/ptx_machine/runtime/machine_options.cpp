@@ -48,11 +48,6 @@ bool takeMachineOption(MachineOptions& options, const std::string& option) {
   if (const auto engine = valueOf(option, "engine")) return takeEngine(options.engine, *engine);
   if (const auto order = valueOf(option, "order")) return takeOrder(options.machine.order, *order);
   if (const auto seed = valueOf(option, "seed")) return takeSeed(options.machine.seed, *seed);
-  if (const auto file = valueOf(option, "counts")) {
-    options.countsFile = *file;
-    options.machine.count = !file->empty();
-    return !file->empty();
-  }
   if (option == "unchecked") {
     options.machine.checkAccesses = options.machine.checkRaces = false;
   } else if (option == "races=off") {

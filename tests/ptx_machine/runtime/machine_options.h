@@ -7,9 +7,7 @@
 //   seed=N                  this seed (1). CUB's kernels run in ascending order whatever is asked for: blocks look back
 //   unchecked               no access is checked
 //   races=off               all checks but that of races
-//   counts=FILE             writes what kernels did to FILE when the program ends
-//   stop-at-fault           the launch in which something is found wrong is the last: it fails as an illegal access
-//   would
+//   stop-at-fault           the launch in which something is found wrong fails, and every call after it
 // and of what tests/fake_cuda/stand_in.h lists for both builds: eager, apart, fault=CALL:N:E.
 //
 // What is found wrong is printed to stderr once, in full, when the launch ends; the program goes on, as far as it can,
@@ -29,7 +27,6 @@ enum class Engine : uint8_t { any, interpreter, translated };
 struct MachineOptions {
   Engine engine = Engine::any;
   Options machine{};
-  std::string countsFile;
   bool stopAtFault = false;
 };
 
