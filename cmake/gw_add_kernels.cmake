@@ -12,6 +12,14 @@ function(gw_write_stubs stubs folder) # a.cu ...
   set(${stubs} ${written} PARENT_SCOPE)
 endfunction()
 
+# CMake 3.25 does not know CUDA20; what a folder sets when it ends is what its targets go by.
+function(gw_know_cuda20)
+  if(NOT DEFINED CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
+    cmake_language(DEFER CALL set CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+    cmake_language(DEFER CALL set CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
+  endif()
+endfunction()
+
 # gw_add_kernels(name a.cu b.cu ... [LINK libraries])
 #
 # Compiles each .cu twice: as C++ into <name>_cpu (namespace gw::cpu) and, when CUDA is on, as CUDA into
@@ -56,20 +64,19 @@ function(gw_add_kernels name)
     add_library(${name}_cuda STATIC ${sources})
     if(GW_CUDA_STAND_IN)
       target_compile_definitions(${name}_cuda PRIVATE GW_STAND_IN_KERNELS=1)
-      target_link_libraries(${name}_cuda PRIVATE CUDA::cudart_static)
+      target_link_libraries(${name}_cuda PRIVATE ${GW_CUDART})
       target_compile_options(${name}_cuda PRIVATE -include cuda_runtime.h) # as nvcc does by itself
     endif()
-    # CMake 3.25 does not know CUDA20; what a folder sets when it ends is what its targets go by.
-    if(NOT DEFINED CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
-      cmake_language(DEFER CALL set CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
-      cmake_language(DEFER CALL set CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
-    endif()
+    gw_know_cuda20()
     if(GW_CUDA_NEEDS_MATH AND NOT GW_CUDA_STAND_IN)
       target_compile_options(${name}_cuda PRIVATE
         "SHELL:-Xcompiler -include -Xcompiler ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/cuda_math.h")
     endif()
     set_target_properties(${name}_cuda PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF
       CUDA_RUNTIME_LIBRARY Static)
+    if(GW_PTX_MACHINE)
+      gw_for_ptx_machine(${name}_cuda)
+    endif()
     target_compile_definitions(${name}_cuda PRIVATE GW_DEVICE=cuda)
     target_link_libraries(${name}_cuda PUBLIC ${common} ${A_LINK})
     target_link_libraries(${name} INTERFACE ${name}_cuda)

@@ -254,11 +254,9 @@ cudaError_t launch(const cudaLaunchConfig_t& config, const void* kernel, std::fu
   GW_ENTER("cudaLaunchKernelEx");
   CUstream_st* on = streamOf(config.stream);
   if (!on) return failed(cudaErrorInvalidResourceHandle);
-  const auto granted = driver().sharedLimits.find(kernel);
-  const size_t most = granted == driver().sharedLimits.end() ? 48 * 1024 : size_t(granted->second);
   const bool fits = config.gridDim.x > 0 && config.gridDim.y == 1 && config.gridDim.z == 1 && config.blockDim.x > 0 &&
                     config.blockDim.x <= kMostThreads && config.blockDim.y == 1 && config.blockDim.z == 1;
-  if (!fits || config.dynamicSmemBytes > most) return failed(cudaErrorInvalidConfiguration);
+  if (!fits || config.dynamicSmemBytes > dynamicSharedLimit_bytes(kernel)) return failed(cudaErrorInvalidConfiguration);
   enqueue(*on, [config, thread = std::move(thread), reversed = driver().options.reversed] {
     runGrid(config, thread, reversed);
   });

@@ -11,11 +11,10 @@
 namespace gw::stand_in {
 namespace {
 
-constexpr unsigned char kNeverWritten = 0xA5, kLost = 0xDB;
+constexpr unsigned char kLost = 0xDB;
 
 [[noreturn]] void refuseOption(const std::string& option) {
-  std::fprintf(stderr, "GW_CUDA_STAND_IN: '%s' is not known; tests/fake_cuda/stand_in.h lists what is.\n",
-               option.c_str());
+  std::fprintf(stderr, "%s: '%s' is not known; %s lists what is.\n", kOptionsVariable, option.c_str(), kOptionsHelp);
   std::exit(2);
 }
 
@@ -29,26 +28,6 @@ Fault faultFrom(const std::string& option) {
   fault.number = std::strtoull(number.c_str(), nullptr, 10);
   fault.error = cudaError_t(std::atoi(error.c_str()));
   return fault;
-}
-
-Options optionsFromEnvironment() {
-  Options options;
-  const char* given = std::getenv("GW_CUDA_STAND_IN");
-  std::istringstream text(given ? given : "");
-  for (std::string option; std::getline(text, option, ',');) {
-    if (option == "eager") {
-      options.eager = true;
-    } else if (option == "reversed") {
-      options.reversed = true;
-    } else if (option == "apart") {
-      options.apart = true;
-    } else if (option.starts_with("fault=")) {
-      options.fault = faultFrom(option);
-    } else if (!option.empty()) {
-      refuseOption(option);
-    }
-  }
-  return options;
 }
 
 // After these the context is dead: CUDA's documentation says so of each.
@@ -72,6 +51,24 @@ size_t inPages(size_t bytes) {
 
 }  // namespace
 
+Options optionsFromEnvironment() {
+  Options options;
+  const char* given = std::getenv(kOptionsVariable);
+  std::istringstream text(given ? given : "");
+  for (std::string option; std::getline(text, option, ',');) {
+    if (option == "eager") {
+      options.eager = true;
+    } else if (option == "apart") {
+      options.apart = true;
+    } else if (option.starts_with("fault=")) {
+      options.fault = faultFrom(option);
+    } else if (!option.empty() && !takeDeviceOption(options, option)) {
+      refuseOption(option);
+    }
+  }
+  return options;
+}
+
 thread_local unsigned capturing = 0;
 
 std::recursive_mutex& lock() {
@@ -94,9 +91,11 @@ void restart(const Options& options) {
   for (auto& [address, block] : d.blocks) munmap(block.mapped, block.mapped_bytes);
   for (CUstream_st* stream : d.streams) delete stream;
   for (CUevent_st* event : d.events) delete event;
-  d = Driver{};
+  restartDevice();
+  Driver fresh;
+  fresh.options = options;
+  d = std::move(fresh);
   capturing = 0;
-  d.options = options;
 }
 
 cudaError_t failed(cudaError_t error) {
@@ -114,10 +113,7 @@ cudaError_t entering(const char* call) {
   const bool any = fault.call == "*";
   if (fault.number == 0 || !(any || fault.call == call) || (any ? d.calls : byName) != fault.number) return cudaSuccess;
   d.struck = call;
-  if (isSticky(fault.error)) {
-    d.sticky = fault.error;
-    loseMemory();
-  }
+  if (isSticky(fault.error)) deviceFailed(fault.error);
   return failed(fault.error);
 }
 
@@ -162,7 +158,7 @@ void finishAll() {
 }
 
 // So that it ends where the next page begins, which is not to be touched.
-void* allocate(size_t bytes, bool pinned) {
+void* allocateGuarded(size_t bytes, bool pinned) {
   const size_t room = inPages(bytes), mapped_bytes = room + inPages(1);
   void* mapped = mmap(nullptr, mapped_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (mapped == MAP_FAILED) return nullptr;
@@ -170,30 +166,51 @@ void* allocate(size_t bytes, bool pinned) {
   char* begin = static_cast<char*>(mapped) + (room - (bytes + 15) / 16 * 16);
   std::memset(begin, kNeverWritten, bytes);
   driver().blocks[uintptr_t(begin)] = {mapped, mapped_bytes, bytes, pinned};
+  if (pinned) pinnedAllocated(begin, bytes);
   return begin;
 }
 
-bool release(void* pointer) {
+bool releaseGuarded(void* pointer, bool pinned) {
   auto& blocks = driver().blocks;
   const auto found = blocks.find(uintptr_t(pointer));
-  if (found == blocks.end()) return false;
+  if (found == blocks.end() || found->second.pinned != pinned) return false;
+  if (pinned) pinnedReleased(pointer);
   munmap(found->second.mapped, found->second.mapped_bytes);
   blocks.erase(found);
   return true;
 }
 
-bool isPinned(const void* pointer) {
+const Block* guardedBlock(const void* pointer) {
   const auto& blocks = driver().blocks;
   auto after = blocks.upper_bound(uintptr_t(pointer));
-  if (after == blocks.begin()) return false;
+  if (after == blocks.begin()) return nullptr;
   --after;
-  return after->second.pinned && uintptr_t(pointer) < after->first + after->second.bytes;
+  return uintptr_t(pointer) < after->first + after->second.bytes ? &after->second : nullptr;
+}
+
+bool isPinned(const void* pointer) {
+  const Block* block = guardedBlock(pointer);
+  return block && block->pinned;
+}
+
+void deviceFailed(cudaError_t error) {
+  driver().sticky = error;
+  loseMemory();
+}
+
+cudaError_t outcomeOfWork() {
+  return driver().sticky == cudaSuccess ? cudaSuccess : failed(driver().sticky);
 }
 
 void loseMemory() {
   for (auto& [address, block] : driver().blocks) std::memset(reinterpret_cast<void*>(address), kLost, block.bytes);
   driver().defaultStream.queued.clear();
   for (CUstream_st* stream : driver().streams) stream->queued.clear();
+}
+
+size_t dynamicSharedLimit_bytes(const void* kernel) {
+  const auto granted = driver().sharedLimits.find(kernel);
+  return granted == driver().sharedLimits.end() ? 48 * 1024 : size_t(granted->second);
 }
 
 uint64_t calls() {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "device_seam.h"
 #include "stand_in.h"
 
 struct cudaGraphicsResource;
@@ -80,10 +81,19 @@ void finish(CUstream_st& stream);
 void finishUpTo(CUstream_st& stream, uint64_t work);
 void finishAll();
 
-void* allocate(size_t bytes, bool pinned);
-bool release(void* pointer);
+// Memory of the host that ends at a page that must not be touched: pinned, or the stand-in's device memory.
+constexpr unsigned char kNeverWritten = 0xA5;
+void* allocateGuarded(size_t bytes, bool pinned);
+bool releaseGuarded(void* pointer, bool pinned);
+const Block* guardedBlock(const void* pointer);  // that it points into; null: none
 bool isPinned(const void* pointer);
 void loseMemory();
+
+// A kernel failed while it ran: a sticky error, which the call that waits for it returns.
+void deviceFailed(cudaError_t error);
+cudaError_t outcomeOfWork();
+// What a kernel was granted of shared memory by cudaFuncSetAttribute, or what it has without asking.
+size_t dynamicSharedLimit_bytes(const void* kernel);
 
 }  // namespace gw::stand_in
 

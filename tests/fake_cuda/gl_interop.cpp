@@ -1,4 +1,4 @@
-// OpenGL interop: a registered buffer has memory of the stand-in beside it, which mapping fills and unmapping copies
+// OpenGL interop: a registered buffer has memory of the device beside it, which mapping fills and unmapping copies
 // back. Who writes after unmapping, or lets OpenGL draw before it, is found out: what is drawn is then the old picture.
 #include <GL/glew.h>
 
@@ -53,7 +53,7 @@ cudaError_t cudaGraphicsGLRegisterBuffer(cudaGraphicsResource_t* resource, GLuin
   GLint64 bytes = 0;
   glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &bytes);
   if (bytes <= 0) return failed(cudaErrorInvalidValue);
-  *resource = new cudaGraphicsResource{buffer, size_t(bytes), flags, allocate(size_t(bytes), false)};
+  *resource = new cudaGraphicsResource{buffer, size_t(bytes), flags, allocateDevice(size_t(bytes))};
   driver().resources.insert(*resource);
   return cudaSuccess;
 }
@@ -62,7 +62,7 @@ cudaError_t cudaGraphicsUnregisterResource(cudaGraphicsResource_t resource) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaGraphicsUnregisterResource");
   if (driver().resources.erase(resource) == 0) return failed(cudaErrorInvalidResourceHandle);
   finishAll();
-  release(resource->beside);
+  releaseDevice(resource->beside);
   delete resource;
   return cudaSuccess;
 }
@@ -77,9 +77,10 @@ cudaError_t cudaGraphicsMapResources(int count, cudaGraphicsResource_t* wanted, 
     cudaGraphicsResource& resource = *wanted[i];
     resource.mapped = true;
     if (resource.flags & cudaGraphicsRegisterFlagsWriteDiscard) {
-      std::memset(resource.beside, 0xA5, resource.bytes);
+      deviceForgotten(resource.beside, resource.bytes);
     } else {
       glGetNamedBufferSubData(resource.buffer, 0, GLsizeiptr(resource.bytes), resource.beside);
+      deviceWritten(resource.beside, resource.bytes);
     }
   }
   return cudaSuccess;

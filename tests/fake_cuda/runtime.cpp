@@ -9,8 +9,20 @@ using namespace gw::stand_in;
 
 namespace {
 
-constexpr int kVersion = CUDART_VERSION, kMajor = 9, kMinor = 0;
+constexpr int kVersion = CUDART_VERSION;
 constexpr size_t kShared_bytes = 48 * 1024, kSharedOptIn_bytes = 227 * 1024;
+
+// What the direction names as device memory is device memory, all of it.
+bool mayCopy(const void* to, const void* from, size_t bytes, cudaMemcpyKind kind) {
+  const bool ontoDevice = kind == cudaMemcpyHostToDevice || kind == cudaMemcpyDeviceToDevice;
+  const bool offDevice = kind == cudaMemcpyDeviceToHost || kind == cudaMemcpyDeviceToDevice;
+  return bytes == 0 || ((!ontoDevice || isDevice(to, bytes)) && (!offDevice || isDevice(from, bytes)));
+}
+
+void copyNow(void* to, const void* from, size_t bytes) {
+  std::memmove(to, from, bytes);
+  if (isDevice(to, bytes)) deviceWritten(to, bytes);
+}
 
 }  // namespace
 
@@ -107,12 +119,12 @@ cudaError_t cudaGetDeviceProperties(cudaDeviceProp* properties, int device) {
   GW_ENTER("cudaGetDeviceProperties");
   if (device != 0) return failed(cudaErrorInvalidDevice);
   *properties = cudaDeviceProp{};
-  std::snprintf(properties->name, sizeof properties->name, "stand-in for CUDA (no GPU)");
+  std::snprintf(properties->name, sizeof properties->name, "%s", kDeviceName);
   properties->totalGlobalMem = size_t(4) << 30;
   properties->sharedMemPerBlock = kShared_bytes;
   properties->sharedMemPerBlockOptin = kSharedOptIn_bytes;
-  properties->major = kMajor;
-  properties->minor = kMinor;
+  properties->major = deviceArchitecture() / 10;
+  properties->minor = deviceArchitecture() % 10;
   properties->multiProcessorCount = 1;
   return cudaSuccess;
 }
@@ -134,19 +146,20 @@ cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int dev
       *value = 1;
       return cudaSuccess;
     case cudaDevAttrComputeCapabilityMajor:
-      *value = kMajor;
+      *value = deviceArchitecture() / 10;
       return cudaSuccess;
     case cudaDevAttrComputeCapabilityMinor:
-      *value = kMinor;
+      *value = deviceArchitecture() % 10;
       return cudaSuccess;
+    default:
+      return failed(cudaErrorInvalidValue);
   }
-  return failed(cudaErrorInvalidValue);
 }
 
 cudaError_t cudaDeviceSynchronize() {
   GW_ENTER_OUTSIDE_CAPTURE("cudaDeviceSynchronize");
   finishAll();
-  return cudaSuccess;
+  return outcomeOfWork();
 }
 
 cudaError_t cudaMemGetInfo(size_t* free, size_t* total) {
@@ -157,13 +170,13 @@ cudaError_t cudaMemGetInfo(size_t* free, size_t* total) {
 
 cudaError_t cudaMalloc(void** pointer, size_t bytes) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaMalloc");
-  *pointer = bytes ? allocate(bytes, false) : nullptr;
+  *pointer = bytes ? allocateDevice(bytes) : nullptr;
   return *pointer || !bytes ? cudaSuccess : failed(cudaErrorMemoryAllocation);
 }
 
 cudaError_t cudaMallocHost(void** pointer, size_t bytes) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaMallocHost");
-  *pointer = allocate(bytes ? bytes : 1, true);
+  *pointer = allocateGuarded(bytes ? bytes : 1, true);
   return *pointer ? cudaSuccess : failed(cudaErrorMemoryAllocation);
 }
 
@@ -174,46 +187,53 @@ cudaError_t cudaHostAlloc(void** pointer, size_t bytes, unsigned) {
 cudaError_t cudaFree(void* pointer) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaFree");
   finishAll();  // it waits for the device
-  return pointer == nullptr || release(pointer) ? cudaSuccess : failed(cudaErrorInvalidValue);
+  return pointer == nullptr || releaseDevice(pointer) ? cudaSuccess : failed(cudaErrorInvalidValue);
 }
 
 cudaError_t cudaFreeHost(void* pointer) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaFreeHost");
   finishAll();
-  return pointer == nullptr || release(pointer) ? cudaSuccess : failed(cudaErrorInvalidValue);
+  return pointer == nullptr || releaseGuarded(pointer, true) ? cudaSuccess : failed(cudaErrorInvalidValue);
 }
 
 cudaError_t cudaMemcpyAsync(void* to, const void* from, size_t bytes, cudaMemcpyKind kind, cudaStream_t stream) {
   GW_ENTER("cudaMemcpyAsync");
   CUstream_st* on = streamOf(stream);
   if (!on) return failed(cudaErrorInvalidResourceHandle);
+  if (!mayCopy(to, from, bytes, kind)) return failed(cudaErrorInvalidValue);
   if (kind == cudaMemcpyHostToDevice && !isPinned(from)) {
     // Ordinary memory has been read when the call returns; while a stream is captured it must not be used at all.
     if (on->captured) return failed(cudaErrorStreamCaptureUnsupported);
     const auto* begin = static_cast<const unsigned char*>(from);
     enqueue(*on, [to, staged = std::vector<unsigned char>(begin, begin + bytes)] {
-      std::memcpy(to, staged.data(), staged.size());
+      copyNow(to, staged.data(), staged.size());
     });
     return cudaSuccess;
   }
   const bool waits = kind == cudaMemcpyDeviceToHost && !isPinned(to);
   if (waits && on->captured) return failed(cudaErrorStreamCaptureUnsupported);
-  enqueue(*on, [to, from, bytes] { std::memmove(to, from, bytes); });
-  if (waits) finish(*on);
-  return cudaSuccess;
+  enqueue(*on, [to, from, bytes] { copyNow(to, from, bytes); });
+  if (!waits) return cudaSuccess;
+  finish(*on);
+  return outcomeOfWork();
 }
 
-cudaError_t cudaMemcpy(void* to, const void* from, size_t bytes, cudaMemcpyKind) {
+cudaError_t cudaMemcpy(void* to, const void* from, size_t bytes, cudaMemcpyKind kind) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaMemcpy");
+  if (!mayCopy(to, from, bytes, kind)) return failed(cudaErrorInvalidValue);
   finish(driver().defaultStream);  // streams that do not block it are not waited for
-  std::memmove(to, from, bytes);
-  return cudaSuccess;
+  copyNow(to, from, bytes);
+  return outcomeOfWork();
 }
 
 cudaError_t cudaMemsetAsync(void* to, int value, size_t bytes, cudaStream_t stream) {
   GW_ENTER("cudaMemsetAsync");
   CUstream_st* on = streamOf(stream);
   if (!on) return failed(cudaErrorInvalidResourceHandle);
-  enqueue(*on, [to, value, bytes] { std::memset(to, value, bytes); });
+  if (bytes > 0 && !isDevice(to, bytes) && !isPinned(to)) return failed(cudaErrorInvalidValue);
+  enqueue(*on, [to, value, bytes] {
+    std::memset(to, value, bytes);
+    deviceWritten(to, bytes);
+  });
   return cudaSuccess;
 }

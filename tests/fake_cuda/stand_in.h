@@ -11,7 +11,11 @@
 //   - While a stream is captured, what CUDA forbids is an error: allocating, freeing, waiting.
 //   - Memory is full of 0xA5 at first, and ends at a page that must not be touched.
 //   - Blocks, and threads up to the first barrier, run in reversed order when asked to: see options below.
+//   - A copy must lie within what was allocated, on the side that its direction says.
 //   - After a sticky error every call fails, and device and pinned memory are lost.
+//
+// Streams, graphs, events, pinned memory, faults and interop are the PTX machine's too (device_seam.h): there kernels
+// are what nvcc compiled, and the variable is GW_PTX_MACHINE.
 //
 // Options come from the environment, so that the game itself can be run with them: GW_CUDA_STAND_IN is a list, with
 // commas, of
@@ -40,6 +44,9 @@ struct Options {
   bool eager = false, reversed = false, apart = false;
   Fault fault{};
 };
+
+// What the environment says; who cannot be understood ends the program with one sentence.
+Options optionsFromEnvironment();
 
 // A new driver: no streams, no memory, nothing counted. For tests, between runs; whatever of the old one is still
 // held must not be used, and what destructors give back is ignored.

@@ -1,8 +1,7 @@
 // Streams, events and graphs.
-#include <algorithm>
 #include <chrono>
+#include <utility>
 
-#include "cub/device/device_radix_sort.cuh"
 #include "driver.h"
 
 using namespace gw::stand_in;
@@ -42,7 +41,7 @@ cudaError_t cudaStreamSynchronize(cudaStream_t stream) {
   CUstream_st* on = streamOf(stream);
   if (!on) return failed(cudaErrorInvalidResourceHandle);
   finish(*on);
-  return cudaSuccess;
+  return outcomeOfWork();
 }
 
 cudaError_t cudaStreamWaitEvent(cudaStream_t stream, cudaEvent_t event, unsigned) {
@@ -115,7 +114,7 @@ cudaError_t cudaEventSynchronize(cudaEvent_t event) {
   GW_ENTER_OUTSIDE_CAPTURE("cudaEventSynchronize");
   if (!eventOf(event)) return failed(cudaErrorInvalidResourceHandle);
   if (event->stream) finishUpTo(*event->stream, event->at);
-  return cudaSuccess;
+  return outcomeOfWork();
 }
 
 cudaError_t cudaEventQuery(cudaEvent_t event) {
@@ -171,22 +170,3 @@ cudaError_t cudaGraphExecDestroy(cudaGraphExec_t executable) {
   delete executable;
   return cudaSuccess;
 }
-
-namespace gw::stand_in {
-
-cudaError_t sortKeys(uint64_t* sorted, const uint64_t* keys, int count, int firstBit, int endBit, cudaStream_t stream) {
-  GW_ENTER("cub::DeviceRadixSort::SortKeys");
-  CUstream_st* on = streamOf(stream);
-  if (!on) return failed(cudaErrorInvalidResourceHandle);
-  enqueue(*on, [=] {
-    ++driver().kernels;
-    const int bits = endBit - firstBit;
-    const uint64_t mask = bits >= 64 ? ~0ull : (1ull << bits) - 1;
-    std::copy(keys, keys + count, sorted);
-    std::stable_sort(sorted, sorted + count,
-                     [&](uint64_t a, uint64_t b) { return (a >> firstBit & mask) < (b >> firstBit & mask); });
-  });
-  return cudaSuccess;
-}
-
-}  // namespace gw::stand_in

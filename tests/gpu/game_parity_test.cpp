@@ -1,27 +1,23 @@
 // Whole games on both devices: the same hash after every tick and the same snapshot at the end, with either
 // broad phase and any block size on cuda.
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "game/sim/simulation.h"
 #include "game/tables/tables.h"
 #include "tests/gpu/parity_fixture.h"
+#include "tests/gpu/parity_sizes.h"
 
 namespace gw::test {
 namespace {
-
-#ifdef GW_CUDA_STAND_IN
-constexpr uint32_t kTicks = 200;  // fibers take their time
-#else
-constexpr uint32_t kTicks = 300;
-#endif
 
 SimulationConfig configOf(Mode mode) {
   SimulationConfig config;
   config.rules = loadRules(readRuleTexts(assetFolder()));
   config.seed = 0xC0FFEE;
   config.mode = mode;
-  config.enemies = 2048;
+  config.enemies = paritySizes().enemies;
   config.autopilot = Autopilot::expert;
   config.particles = true;  // for looks only, but from the same kernels
   return config;
@@ -42,9 +38,21 @@ struct Game {
   std::vector<Particle> particles;
 };
 
-Game play(Simulation& simulation) {
+// What the games begin with; nothing: with their first tick.
+std::optional<Snapshot> beginning(const SimulationConfig& config) {
+  if (paritySizes().firstTick == 0) return std::nullopt;
+  const auto simulation = cpu::makeSimulation(config);
+  for (uint32_t tick = 0; tick < paritySizes().firstTick; ++tick) {
+    simulation->tick({});
+    simulation->report();
+  }
+  return simulation->snapshot();
+}
+
+Game play(Simulation& simulation, const std::optional<Snapshot>& from = std::nullopt) {
   Game game;
-  for (uint32_t tick = 0; tick < kTicks; ++tick) {
+  if (from) simulation.restore(*from);
+  for (uint32_t tick = 0; tick < paritySizes().ticks; ++tick) {
     simulation.tick({});
     const TickReport report = simulation.report();
     game.hashes.push_back(report.hash);
@@ -57,7 +65,7 @@ Game play(Simulation& simulation) {
 
 // The first thing in which two games differ; empty when they are the same.
 std::string difference(const Game& expected, const Game& actual) {
-  for (uint32_t tick = 0; tick < kTicks; ++tick) {
+  for (uint32_t tick = 0; tick < paritySizes().ticks; ++tick) {
     if (expected.inputs[tick] != actual.inputs[tick])
       return "the autopilot's input at tick " + std::to_string(tick + 1);
     if (expected.hashes[tick] != actual.hashes[tick]) return "the hash of tick " + std::to_string(tick + 1);
@@ -82,15 +90,16 @@ class GameParity : public ParityTest, public testing::WithParamInterface<Mode> {
 
 TEST_P(GameParity, EveryTickHasTheSameHash) {
   SimulationConfig config = configOf(GetParam());
-  const Game expected = play(*cpu::makeSimulation(config));
+  const std::optional<Snapshot> from = beginning(config);
+  const Game expected = play(*cpu::makeSimulation(config), from);
   ASSERT_GT(expected.end.entities.size(), 10u) << "too little happened to compare";
   ASSERT_GT(expected.particles.size(), 10u) << "too little happened to compare";
   EXPECT_NE(expected.hashes.front(), expected.hashes.back());
   for (BroadPhase broadPhase : {BroadPhase::ngrid, BroadPhase::grid, BroadPhase::gridHashed, BroadPhase::bruteForce}) {
-    for (uint32_t blockSize : {64u, 128u, 256u}) {
+    for (uint32_t blockSize : paritySizes().blockSizes) {
       config.broadPhase = broadPhase;
       config.blockSize = blockSize;
-      const Game actual = play(*makeOnCuda(config));
+      const Game actual = play(*makeOnCuda(config), from);
       EXPECT_EQ(difference(expected, actual), "")
           << "differs; broad phase " << uint32_t(broadPhase) << ", blocks of " << blockSize;
     }

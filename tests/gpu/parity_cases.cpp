@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "tests/gpu/parity_sizes.h"
 #include "tests/gpu/random_cells.h"
 
 namespace gw::test {
@@ -38,7 +39,7 @@ Words wordsOf(const GridStateOf<CellT>& state) {
 std::vector<Float2> floatPairs() {
   std::mt19937_64 random(11);
   std::vector<Float2> pairs;
-  for (uint32_t i = 0; i < 60000; ++i) {
+  for (uint32_t i = 0; i < atMostItems(size_t(60000)); ++i) {
     const uint32_t bits[2] = {uint32_t(random()), uint32_t(random())};
     Float2 pair;
     std::memcpy(&pair, bits, sizeof pair);
@@ -76,8 +77,8 @@ std::vector<float> firsts(const std::vector<Float2>& pairs) {
 // only x is at +infinity.
 Words lineSorts(const Probes& device, const ExecOptions& options) {
   Words words;
-  for (uint32_t length : {1u,   2u,    3u,    4u,    5u,    127u,  128u,  129u,  511u,  512u,
-                          513u, 1000u, 1024u, 1025u, 2047u, 2048u, 2049u, 3000u, 4095u, 4096u}) {
+  for (uint32_t length : atMostItems({1u,   2u,    3u,    4u,    5u,    127u,  128u,  129u,  511u,  512u,
+                                      513u, 1000u, 1024u, 1025u, 2047u, 2048u, 2049u, 3000u, 4095u, 4096u})) {
     for (Layout layout : {Layout::uniform, Layout::coincident, Layout::zeros, Layout::line}) {
       auto line = makeCells({layout, {length, 1}, 20, length});
       for (uint32_t i = 0; i < length; i += 7) line[i].x = std::numeric_limits<float>::infinity();
@@ -96,7 +97,8 @@ constexpr GridShape kLongShapes[] = {{2049, 2}, {4096, 2}, {3, 4095}, {2, 1, 409
 
 Words longLines(const Probes& device, const ExecOptions& options, Upkeep upkeep) {
   Words words;
-  for (const GridShape& shape : kLongShapes) {
+  for (const GridShape& whole : kLongShapes) {
+    const GridShape shape = atMostItems(whole);
     for (Layout layout : {Layout::uniform, Layout::coincident}) {
       const CellSpec spec{layout, shape, 10, shape.cells()};
       const Words after = shape.slabs == 1 ? wordsOf(device.upkeep(options, shape, makeCells(spec), upkeep))
@@ -110,7 +112,8 @@ Words longLines(const Probes& device, const ExecOptions& options, Upkeep upkeep)
 Words upkeepOf3(const Probes& device, const ExecOptions& options, Upkeep upkeep) {
   Words words;
   uint64_t seed = 1;
-  for (const GridShape& shape : {GridShape{1, 1, 1}, {1, 1, 37}, {37, 5, 3}, {16, 16, 16}, {2048, 2, 2}, {3, 3, 700}}) {
+  for (const GridShape& whole : {GridShape{1, 1, 1}, {1, 1, 37}, {37, 5, 3}, {16, 16, 16}, {2048, 2, 2}, {3, 3, 700}}) {
+    const GridShape shape = atMostItems(whole);
     for (uint32_t layout = 0; layout < kLayouts; ++layout) {
       const auto cells = makeCells3({Layout(layout), shape, 10, ++seed});
       const Words after = wordsOf(device.upkeep3(options, shape, cells, upkeep));
@@ -138,7 +141,8 @@ Words reports(const Probes& device, const ExecOptions& options) {
 Words upkeepOf(const Probes& device, const ExecOptions& options, Upkeep upkeep) {
   Words words;
   uint64_t seed = 1;
-  for (const GridShape& shape : kShapes) {
+  for (const GridShape& whole : kShapes) {
+    const GridShape shape = atMostItems(whole);
     for (uint32_t layout = 0; layout < kLayouts; ++layout) {
       auto state = device.upkeep(options, shape, makeCells({Layout(layout), shape, 10, ++seed}), upkeep);
       moveCells(state.cells, 1.0f, ++seed);
@@ -180,7 +184,7 @@ Words gathers3(const Probes& device, const ExecOptions& options, Method method) 
 
 Words binnings(Binned (*bin)(const ExecOptions&, const std::vector<Cell>&), const ExecOptions& options) {
   Words words;
-  for (const uint32_t count : {1u, 2u, 300u, 5000u, 40000u}) {
+  for (const uint32_t count : atMostItems({1u, 2u, 300u, 5000u, 40000u})) {
     for (uint32_t layout = 0; layout < kLayouts; ++layout) {
       const Binned binned = bin(options, makeCells({Layout(layout), {count, 1}, 15, count + layout}));
       for (const Cell& cell : binned.cells) words.push_back(cell.id);
@@ -216,7 +220,7 @@ std::vector<ParityCase> makeCases() {
 
   add("ForEach", [](const Probes& device, Options options) {
     Words words;
-    for (uint32_t count : {0u, 1u, 63u, 64u, 65u, 255u, 256u, 257u, 100000u}) {
+    for (uint32_t count : atMostItems({0u, 1u, 63u, 64u, 65u, 255u, 256u, 257u, 100000u})) {
       append(words, device.countVisits(options, count, nullptr));
       for (uint32_t live : {0u, 1u, count / 2, count, count + 7})
         append(words, device.countVisits(options, count, &live));
@@ -225,7 +229,9 @@ std::vector<ParityCase> makeCases() {
   });
   add("Teams", [](const Probes& device, Options options) {
     Words words;
-    for (size_t teams : {0, 1, 7, 300}) append(words, device.foldLines(options, makeWords(teams * 128, teams)));
+    for (size_t teams : {0, 1, 7, 300}) {
+      append(words, device.foldLines(options, makeWords(atMostItems(teams * 128), teams)));
+    }
     return words;
   });
   add("BigSharedMemory", [](const Probes& device, Options options) {
@@ -235,9 +241,12 @@ std::vector<ParityCase> makeCases() {
     append(words, device.reverseBigLine(options, line));
     return words;
   });
-  add("Atomics", [](const Probes& device, Options options) { return device.atomics(options, makeWords(100000, 3)); });
-  add("Graph",
-      [](const Probes& device, Options options) { return device.replayGraph(options, makeWords(5000, 4), 20); });
+  add("Atomics", [](const Probes& device, Options options) {
+    return device.atomics(options, makeWords(atMostItems(size_t(100000)), 3));
+  });
+  add("Graph", [](const Probes& device, Options options) {
+    return device.replayGraph(options, makeWords(atMostItems(size_t(5000)), 4), 20);
+  });
   add("ExactMath", [](const Probes& device, Options options) {
     Words words;
     append(words, device.exactMath(options, floatPairs()));
@@ -247,7 +256,7 @@ std::vector<ParityCase> makeCases() {
     std::vector<Uint4> counters;
     std::vector<uint32_t> bits;
     std::mt19937_64 random(5);
-    for (uint32_t i = 0; i < 50000; ++i) {
+    for (uint32_t i = 0; i < atMostItems(size_t(50000)); ++i) {
       const uint64_t word = random();
       counters.push_back({i, uint32_t(word), uint32_t(word >> 32), i % 4});
       bits.push_back(uint32_t(word));
@@ -263,23 +272,24 @@ std::vector<ParityCase> makeCases() {
       append(words, device.fixedTerms(options, firsts(floatPairs()), scale));
     return words;
   });
-  add("StateHash",
-      [](const Probes& device, Options options) { return device.hashWords(options, makeWords(100000, 6)); });
+  add("StateHash", [](const Probes& device, Options options) {
+    return device.hashWords(options, makeWords(atMostItems(size_t(100000)), 6));
+  });
   add("Scan", [](const Probes& device, Options options) {
     Words words;
-    for (size_t count : {0, 1, 255, 1023, 1024, 1025, 100000, 300001})
+    for (size_t count : atMostItems({0, 1, 255, 1023, 1024, 1025, 100000, 300001}))
       append(words, device.scan(options, makeWords(count, count)));
     return words;
   });
   add("Reduce", [](const Probes& device, Options options) {
     Words words;
-    for (size_t count : {0, 1, 255, 1023, 1024, 1025, 300001})
+    for (size_t count : atMostItems({0, 1, 255, 1023, 1024, 1025, 300001}))
       words.push_back(device.reduce(options, makeWords(count, count)));
     return words;
   });
   add("SortKeys", [](const Probes& device, Options options) {
     Words words;
-    for (size_t count : {1, 2, 1000, 100000}) {
+    for (size_t count : atMostItems({1, 2, 1000, 100000})) {
       Words keys = makeWords(count, count);
       for (size_t i = 0; i < count; ++i) keys[i] = keys[i] << 32 | i;  // all different
       append(words, device.sortKeys(options, keys));

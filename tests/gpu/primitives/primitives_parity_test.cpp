@@ -4,6 +4,7 @@
 #include "gpu/exec/kernel_count.h"
 #include "tests/gpu/parity_cases.h"
 #include "tests/gpu/parity_fixture.h"
+#include "tests/gpu/parity_sizes.h"
 
 namespace gw::test {
 namespace {
@@ -23,7 +24,7 @@ TEST_P(PrimitivesParity, BothDevicesAgree) {
   const Words expected = which.run(cpu::probes(), {});
   ASSERT_FALSE(expected.empty());
   const uint64_t before = cudaKernelsRun;
-  for (uint32_t blockSize : {64u, 128u, 256u}) {
+  for (uint32_t blockSize : paritySizes().blockSizes) {
     ExecOptions options;
     options.blockSize = blockSize;
     const auto found = difference(expected, which.run(probesOnCuda(), options));
