@@ -1,4 +1,4 @@
-# The preset ptx-machine: nvcc's own objects, linked with the runtime of tests/ptx_machine in place of NVIDIA's.
+# GW_PTX_MACHINE: nvcc's own objects, linked with the runtime of tests/ptx_machine in place of NVIDIA's.
 if(NOT GW_HAVE_CUDA)
   message(FATAL_ERROR "GW_PTX_MACHINE runs what nvcc compiled, and there is no cuda device here: ${GW_CUDA_MISSING}. "
     "Install the CUDA toolkit, or use the preset stand-in, which needs no nvcc.")

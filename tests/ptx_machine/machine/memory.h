@@ -1,7 +1,8 @@
 // The machine's memory: allocations, what is known of each byte, and the checks on every access.
 //
-// Global memory is one reserved range of addresses, so that what is known of a word (its shadow) is found by arithmetic.
-// Host memory that a kernel may touch (OpenGL's mapped buffers) is registered as a foreign range and checked for bounds.
+// Global memory is one reserved range of addresses, so that what is known of a word (its shadow) is found by
+// arithmetic. Host memory that a kernel may touch (OpenGL's mapped buffers) is registered as a foreign range and
+// checked for bounds.
 //
 // Races, by happens-before: within a launch two accesses of one word, at least one of them a plain write, are a race
 // unless ordered by (a) the same lane, (b) a block barrier between them (Block::phase), (c) in one warp bar.warp.sync,
@@ -19,14 +20,17 @@
 
 namespace gw::ptx {
 
-enum class Access : uint8_t { plain, relaxed };  // relaxed: atom, red, volatile, .relaxed; never a race among themselves
+enum class Access : uint8_t {
+  plain,
+  relaxed
+};  // relaxed: atom, red, volatile, .relaxed; never a race among themselves
 
 // One memory instruction of a warp. addresses[l] and data of lane l matter where the mask has bit l.
 struct Request {
   const Site* site;
-  Space space;          // of the address; generic ones are resolved by where they point
+  Space space;  // of the address; generic ones are resolved by where they point
   Access access;
-  uint32_t bytes;       // of all elements of one lane: 1 to 16
+  uint32_t bytes;  // of all elements of one lane: 1 to 16
   Mask lanes;
   const uint64_t* addresses;  // [32]; shared: offsets in the block's shared memory; local: offsets in the lane's own
 };
@@ -61,7 +65,8 @@ class Memory {
   Mask checkAtomic(Warp& warp, const Request& request);
   void fence(Warp& warp, Mask lanes, bool wholeGpu);  // membar.gl or .sys: true; membar.cta: false
 
-  // Where the bytes are on the host, after a check. Local memory is the engine's own business and is not asked for here.
+  // Where the bytes are on the host, after a check. Local memory is the engine's own business and is not asked for
+  // here.
   uint8_t* pointer(Warp& warp, Space space, uint64_t address);
 
   void report(Warp* warp, const Site& at, unsigned lane, std::string kind, std::string what);

@@ -4,7 +4,7 @@
 // is the engine's. Divergence: a warp keeps groups of lanes, each at a basic block. The group at the lowest block runs
 // (the order of the text, in which nvcc puts a join behind what joins there), and groups that come to the same block
 // become one. At an instruction at which lanes wait (ptx_module.h, waits()) a block begins; a group that lacks named
-// lanes stays there while others run, and when nobody else can run the machine reports it.
+// lanes stays there while others run, and when no other group can run the machine reports it.
 #pragma once
 
 #include <array>
@@ -41,15 +41,15 @@ struct Site {
 // The registers of a warp, 32 lanes each, are the engine's own: `frame` points to as many bytes as it asked for.
 struct Warp {
   Block* block = nullptr;
-  uint32_t index = 0;   // in the block
-  Mask exists = 0;      // lanes that were started: all, but in the last warp of an odd block size
+  uint32_t index = 0;  // in the block
+  Mask exists = 0;     // lanes that were started: all, but in the last warp of an odd block size
   Mask exited = 0;
   void* frame = nullptr;
 
   struct Group {
-    uint32_t block;     // the basic block it runs next
+    uint32_t block;  // the basic block it runs next
     Mask lanes;
-    bool waits = false; // it came to a waiting instruction and lacks lanes, or stands at a barrier
+    bool waits = false;  // it came to a waiting instruction and lacks lanes, or stands at a barrier
   };
   std::vector<Group> groups;  // ascending blocks; disjoint; with `exited` they make up `exists`
 
@@ -67,17 +67,17 @@ struct Launch;
 
 struct Block {
   Launch* launch = nullptr;
-  uint32_t index = 0;  // linear
-  Size3 id;            // %ctaid
+  uint32_t index = 0;           // linear
+  Size3 id;                     // %ctaid
   std::vector<uint8_t> shared;  // static, then dynamic
-  uint32_t phase = 0;  // barriers passed
+  uint32_t phase = 0;           // barriers passed
   std::vector<Warp> warps;
   bool barrierOr = false, barrierAnd = true;  // bar.red: of the lanes that arrived
 };
 
 // A kernel as an engine runs it.
 struct Code {
-  const char* name = "";            // mangled
+  const char* name = "";                                            // mangled
   uint32_t parameter_bytes = 0, shared_bytes = 0, local_bytes = 0;  // static; local: of one lane, the engine keeps it
   size_t frame_bytes = 0, frame_alignment = 64;
   uint32_t basicBlocks = 0;
@@ -103,15 +103,15 @@ struct Launch {
   std::vector<uint8_t> parameters;  // as the kernel's parameter block
   uint64_t moduleGlobals = 0;       // where the module's variables begin: their offset_bytes count from here
   Memory* memory = nullptr;
-  Counts* counts = nullptr;         // null: not counted
+  Counts* counts = nullptr;  // null: not counted
   Options options;
-  uint64_t serial = 0;              // counts launches of this machine from 1
+  uint64_t serial = 0;  // counts launches of this machine from 1
 };
 
 // What was found wrong, once per (kind, kernel, PTX line); the first is complete, further ones are counted.
 struct Fault {
-  std::string kind;    // "race", "outside an allocation", "misaligned", "read before written", "barrier", ...
-  std::string text;    // one paragraph: kernel, source line, PTX line, block, lane, the other access, allocation
+  std::string kind;  // "race", "outside an allocation", "misaligned", "read before written", "barrier", ...
+  std::string text;  // one paragraph: kernel, source line, PTX line, block, lane, the other access, allocation
   uint64_t times = 1;
 };
 
@@ -126,8 +126,8 @@ Turn nextTurn(Warp& warp);
 // The lanes come to a basic block and join the group there.
 void arrive(Warp& warp, uint32_t block, Mask lanes);
 // At a waiting instruction of a warp (shfl, vote, match, bar.warp), which begins `block`: `named` is its member mask.
-// Returns the lanes that execute it now: all that were named and have not exited; 0 when some are missing, and `present`
-// was put to wait there. Lanes that are not named in a mask they execute are reported.
+// Returns the lanes that execute it now: all that were named and have not exited; 0 when some are missing, and
+// `present` was put to wait there. Lanes that are not named in a mask they execute are reported.
 Mask meet(Warp& warp, uint32_t block, Mask present, Mask named, const Site& site);
 // At a block barrier: the lanes wait, to go on at `next` when the block is released.
 void standAtBarrier(Warp& warp, uint32_t next, Mask lanes, const Site& site);

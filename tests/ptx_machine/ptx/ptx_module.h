@@ -37,13 +37,31 @@ struct Register {
 
 // %tid.x and the others that the machine answers.
 enum class Special : uint8_t {
-  tid_x, tid_y, tid_z, ntid_x, ntid_y, ntid_z, ctaid_x, ctaid_y, ctaid_z, nctaid_x, nctaid_y, nctaid_z,
-  laneid, warpid, nwarpid, lanemask_eq, lanemask_le, lanemask_lt, lanemask_ge, lanemask_gt
+  tid_x,
+  tid_y,
+  tid_z,
+  ntid_x,
+  ntid_y,
+  ntid_z,
+  ctaid_x,
+  ctaid_y,
+  ctaid_z,
+  nctaid_x,
+  nctaid_y,
+  nctaid_z,
+  laneid,
+  warpid,
+  nwarpid,
+  lanemask_eq,
+  lanemask_le,
+  lanemask_lt,
+  lanemask_ge,
+  lanemask_gt
 };
 
 // A variable with an address: module globals, shared and local variables of a kernel, its parameters. `offset_bytes` is
-// its place within its space: parameters in the parameter block as the launch passes it, shared variables in the block's
-// shared memory with dynamic shared memory (extern) behind all others, local ones in the thread's local memory.
+// its place within its space: parameters in the parameter block as the launch passes it, shared variables in the
+// block's shared memory with dynamic shared memory (extern) behind all others, local ones in the thread's local memory.
 struct Variable {
   std::string name;
   Space space = Space::generic;
@@ -57,16 +75,16 @@ struct Variable {
 struct Operand {
   enum class Kind : uint8_t { reg, immediate, address, special, label, vector, sink };  // sink: "_"
   Kind kind = Kind::immediate;
-  RegisterId reg = 0;              // reg; the base of an address when hasBase
-  bool negated = false;            // "!%p1"
-  uint64_t bits = 0;               // an immediate: its value as 64 bits, sign-extended; 0fXXXXXXXX and 0dXXXX: raw bits
-  bool isFloat = false;            // ... and was written as 0f (4 bytes) or 0d (8 bytes)
-  bool hasBase = false;            // an address: [reg + offset] ...
+  RegisterId reg = 0;    // reg; the base of an address when hasBase
+  bool negated = false;  // "!%p1"
+  uint64_t bits = 0;     // an immediate: its value as 64 bits, sign-extended; 0fXXXXXXXX and 0dXXXX: raw bits
+  bool isFloat = false;  // ... and was written as 0f (4 bytes) or 0d (8 bytes)
+  bool hasBase = false;  // an address: [reg + offset] ...
   const Variable* variable = nullptr;  // ... or [variable + offset]; as a plain operand (mov): the variable's address
   int64_t offset = 0;
   Special special{};
-  uint32_t block = 0;              // label: the basic block it names
-  std::vector<Operand> elements;   // vector: {%r1, %r2}; for "%p1|%p2" too
+  uint32_t block = 0;             // label: the basic block it names
+  std::vector<Operand> elements;  // vector: {%r1, %r2}; for "%p1|%p2" too
 };
 
 // Where nvcc says it comes from (.loc, with -lineinfo): the innermost place of what was inlined.
@@ -82,14 +100,14 @@ struct Instruction {
   bool guarded = false;                // @%p or @!%p
   RegisterId guard = 0;
   bool guardNegated = false;
-  std::vector<Operand> operands;       // destination first
+  std::vector<Operand> operands;  // destination first
   SourcePlace place;
-  uint32_t ptxLine = 0;                // 1-based in the module's text
-  std::string text;                    // as written, for messages
+  uint32_t ptxLine = 0;  // 1-based in the module's text
+  std::string text;      // as written, for messages
 };
 
-// Straight code with one entry: [begin, end) of Kernel::instructions. A block ends behind a branch, ret or exit, before a
-// label, and before and behind each instruction at which lanes wait for each other (waits()).
+// Straight code with one entry: [begin, end) of Kernel::instructions. A block ends behind a branch, ret or exit, before
+// a label, and before and behind each instruction at which lanes wait for each other (waits()).
 struct BasicBlock {
   uint32_t begin = 0, end = 0;
 };
@@ -100,17 +118,17 @@ struct Kernel {
   uint64_t parameter_bytes = 0;
   std::vector<Variable> shared, local;  // of its own; extern shared memory of the module is in `shared` too when used
   uint64_t shared_bytes = 0, local_bytes = 0;  // static
-  uint32_t maxThreads = 0;              // .maxntid, product; 0: not said
+  uint32_t maxThreads = 0;                     // .maxntid, product; 0: not said
   std::vector<Register> registers;
   std::vector<Instruction> instructions;
-  std::vector<BasicBlock> blocks;       // in the order of the text; block 0 is the entry
+  std::vector<BasicBlock> blocks;  // in the order of the text; block 0 is the entry
   uint32_t ptxLine = 0;
 };
 
 struct Module {
-  std::string name;           // of the file it came from
-  std::string version, target;  // "9.0", "sm_90"
-  uint64_t textHash = 0;      // xxh64 of the PTX text: ties translated code to the fat binary it was made from
+  std::string name;                // of the file it came from
+  std::string version, target;     // "9.0", "sm_90"
+  uint64_t textHash = 0;           // xxh64 of the PTX text: ties translated code to the fat binary it was made from
   std::vector<std::string> files;  // of .file, index as there; element 0 unused
   std::vector<Variable> globals;
   std::vector<Kernel> kernels;
