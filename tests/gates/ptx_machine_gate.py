@@ -1,4 +1,4 @@
-"""In the build of the preset ptx-machine every kernel body is nvcc's PTX; the C++ compiler made none of them.
+"""In a build with GW_PTX_MACHINE every kernel body is nvcc's PTX; the C++ compiler made none of them.
 
 What that program computes on its cuda device is then what nvcc compiled, run by tests/ptx_machine. So: the sources of the
 cuda device go through nvcc, which makes PTX of them and no more; on the host a kernel is a stub that launches and does
@@ -90,7 +90,7 @@ def linked_runtime(program):
 def check(source, build):
     cache = build / "CMakeCache.txt"
     if not cache.is_file() or "GW_PTX_MACHINE:BOOL=ON" not in cache.read_text():
-        raise gate_tools.Skip("this build is not of the preset ptx-machine")
+        raise gate_tools.Skip("this build is without GW_PTX_MACHINE")
     commands = gate_tools.compile_commands(build)
     offences = foreign_commands(commands)
     kernels, objects = 0, 0
@@ -129,7 +129,7 @@ const char* keep() { return ptx; }
 def planted(build, folder):
     commands = [c for c in gate_tools.compile_commands(build) if c.is_cuda]
     if not commands or not any("--no-compress" in c.options for c in commands):
-        raise gate_tools.Skip("this build is not of the preset ptx-machine")
+        raise gate_tools.Skip("this build is without GW_PTX_MACHINE")
     file = folder / "planted.cu"
     file.write_text(PLANTED)
     right, wrong = folder / "right.o", folder / "wrong.o"

@@ -1,4 +1,4 @@
-# Tests of the PTX machine's parts, which need no nvcc, and in the preset ptx-machine of the runtime with kernels that nvcc
+# Tests of the PTX machine's parts, which need no nvcc, and with GW_PTX_MACHINE of the runtime with kernels that nvcc
 # compiled. What the machine is for, games and primitives on it, tests/ptx_machine/run runs. Included by tests/CMakeLists.txt.
 set(gw_ptx_folder ${CMAKE_CURRENT_LIST_DIR})
 add_test(NAME ptx_machine_plan COMMAND ${Python3_EXECUTABLE} -B ${gw_ptx_folder}/run_plan_test.py)
